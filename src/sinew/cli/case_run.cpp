@@ -1,0 +1,166 @@
+#include <sinew/cli/case_run.hpp>
+
+#include <algorithm>
+#include <limits>
+#include <sinew/cli/interruption.hpp>
+#include <sinew/cli/progress.hpp>
+#include <sinew/cli/schedule.hpp>
+#include <sinew/io/file.hpp>
+#include <sinew/io/picture.hpp>
+#include <sinew/io/write_toml.hpp>
+
+namespace sinew {
+
+namespace {
+
+using Seconds = std::chrono::duration<double>;
+
+}  // namespace
+
+ExitCode exit_code(const std::string& status) {
+  if (status == "completed") return done;
+  return status == "interrupted" ? interrupted : simulation_failed;
+}
+
+CaseRun::CaseRun(const Case& case_, Simulation& simulation_, const RunFolder& folder_, Reporter& reporter_,
+                 const RunControl& control_)
+    : c(case_),
+      simulation(simulation_),
+      folder(folder_),
+      reporter(reporter_),
+      control(control_),
+      recorder(case_, simulation_, folder_),
+      case_text(toml_text(case_.resolved)) {}
+
+void CaseRun::begin() {
+  write_atomically(folder.resolved_case(), case_text);
+  series.emplace(folder.series());
+  write_frame();
+  recorder.begin();
+}
+
+void CaseRun::resume(const Checkpoint& checkpoint) {
+  simulation.restore({checkpoint.time, checkpoint.step, checkpoint.numbers, checkpoint.arrays});
+  write_atomically(folder.resolved_case(), case_text);
+  series.emplace(PvdSeries::resume(folder.series(), checkpoint.time));
+  recorder.resume(checkpoint.numbers);
+  last_frame_step = static_cast<long>(checkpoint.numbers.at("run.last_frame_step"));
+  earlier_seconds = checkpoint.numbers.at("run.wall_seconds");
+  stepping_seconds = checkpoint.numbers.at("run.stepping_seconds");
+}
+
+bool CaseRun::at_end() const {
+  if (c.solver.max_steps && simulation.steps() >= *c.solver.max_steps) return true;
+  const double left = c.solver.end_time - simulation.time();
+  return left <= std::max(1e-9 * simulation.stable_time_step(), 4.0 * std::numeric_limits<double>::epsilon() * c.solver.end_time);
+}
+
+RunResult CaseRun::to_the_end() {
+  attempt([&] { march(); });
+  reporter.clear_bar();
+  write_rest();
+  FinishedRun finished{status == "completed", simulation.time(), recorder.probes(), {}};
+  RunResult result{summarize(finished), std::move(finished)};
+  attempt([&] { write_summary(folder.summary(), result.summary); });
+  result.summary.status = status;
+  say_end(result.summary);
+  return result;
+}
+
+void CaseRun::march() {
+  const auto state = [&] { return ProgressState{fraction(), simulation.time(), simulation.steps(), recorder.energy_drift()}; };
+  Progress progress(reporter, simulation.facts().particles, c.general.units.name_of("s"), state());
+  while (status == "completed" && !at_end()) {
+    if (interruption_requested()) {
+      status = "interrupted";
+      break;
+    }
+    const double before = simulation.time();
+    step();
+    if (status != "completed") break;
+    write_due(before);
+    progress.update(state());
+  }
+}
+
+void CaseRun::step() {
+  const Clock::time_point start = Clock::now();
+  try {
+    simulation.step(c.solver.end_time - simulation.time());
+  } catch (const SimulationError& error) {
+    status = "unstable";
+    message = error.what();
+  }
+  stepping_seconds += Seconds(Clock::now() - start).count();
+}
+
+void CaseRun::write_due(double time_before) {
+  recorder.after_step(time_before);
+  if (multiple_reached(time_before, simulation.time(), c.output.every)) write_frame();
+  if (multiple_reached(time_before, simulation.time(), c.output.checkpoint_every)) write_state();
+}
+
+void CaseRun::write_frame() {
+  const long index = static_cast<long>(series->size());
+  write_vtu(folder.frame(index), simulation.snapshot(c.output.fields));
+  series->add(simulation.time(), RunFolder::frame_name(index));
+  last_frame_step = simulation.steps();
+}
+
+void CaseRun::write_state() {
+  recorder.flush();
+  SavedState state = simulation.save();
+  recorder.save(state.numbers);
+  state.numbers["run.last_frame_step"] = static_cast<double>(last_frame_step);
+  state.numbers["run.wall_seconds"] = wall_seconds();
+  state.numbers["run.stepping_seconds"] = stepping_seconds;
+  write_checkpoint(folder.checkpoint(),
+                   {state.time, state.step, case_text, std::move(state.numbers), std::move(state.arrays), {}});
+}
+
+void CaseRun::write_pictures() {
+  std::vector<std::string> files;
+  if (!c.output.picture.empty()) files.push_back(folder.file(c.output.picture));
+  if (!control.picture.empty()) files.push_back(control.picture);
+  if (files.empty()) return;
+  const Snapshot snapshot = simulation.snapshot({c.output.picture_field, "deformation_gradient"});
+  PictureOptions options;
+  options.field = c.output.picture_field;
+  options.title = c.general.name;
+  for (const std::string& file : files) write_picture(file, snapshot, options);
+}
+
+/// Runs it; if it fails because of the disk or the state, that becomes the status, unless something failed before.
+template <class Action>
+void CaseRun::attempt(Action&& action) {
+  try {
+    action();
+  } catch (const SimulationError& error) {
+    if (status == "unstable" || status == "failed") return;
+    status = "failed";
+    message = error.what();
+  }
+}
+
+void CaseRun::write_rest() {
+  if (status == "completed") {
+    attempt([&] { recorder.at_end(); });
+    attempt([&] { write_pictures(); });
+  }
+  if (status != "interrupted" && last_frame_step != simulation.steps()) attempt([&] { write_frame(); });
+  if (status == "unstable")
+    attempt([&] { recorder.flush(); });
+  else
+    attempt([&] { write_state(); });
+}
+
+double CaseRun::fraction() const {
+  double share = simulation.time() / c.solver.end_time;
+  if (c.solver.max_steps)
+    share = std::max(share, static_cast<double>(simulation.steps()) / static_cast<double>(*c.solver.max_steps));
+  return std::min(share, 1.0);
+}
+
+double CaseRun::wall_seconds() const { return earlier_seconds + Seconds(Clock::now() - begin_time).count(); }
+
+}  // namespace sinew

@@ -1,0 +1,56 @@
+#include <filesystem>
+#include <sinew/cli/case_input.hpp>
+#include <sinew/cli/case_run.hpp>
+#include <sinew/cli/facts_text.hpp>
+#include <sinew/cli/interruption.hpp>
+#include <sinew/cli/run.hpp>
+#include <sinew/cli/threads.hpp>
+
+namespace sinew {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder that cannot be used is better known before the case is built; nothing is made yet.
+void check_folder(const std::string& path, bool force) {
+  std::error_code ignored;
+  const bool taken = fs::exists(path, ignored) && (!fs::is_directory(path, ignored) || !fs::is_empty(path, ignored));
+  if (taken && !force) RunFolder::create(path, false);
+}
+
+void check_picture(const std::string& file) {
+  if (file.empty()) return;
+  if (!file.ends_with(".png")) throw CaseError("--picture: the name of the file must end with .png, found \"" + file + "\"");
+  const fs::path parent = fs::path(file).parent_path();
+  std::error_code ignored;
+  if (!parent.empty() && !fs::is_directory(parent, ignored) && !fs::exists(parent.parent_path(), ignored))
+    throw CaseError("--picture: there is no folder " + parent.string());
+}
+
+}  // namespace
+
+RunResult run_case(const Case& c, const RunPlan& plan) {
+  check_folder(plan.folder, plan.force);
+  const std::unique_ptr<Simulation> simulation = Simulation::build(c);
+  const RunFolder folder = RunFolder::create(plan.folder, plan.force);
+  Reporter reporter(folder.log(), plan.quiet, plan.label);
+  reporter.say(facts_text(c, simulation->facts()));
+  CaseRun run(c, *simulation, folder, reporter, plan.control);
+  run.begin();
+  return run.to_the_end();
+}
+
+int run_verb(const RunOptions& options) {
+  const int threads = use_threads(options);
+  check_picture(options.picture);
+  const CaseInput input = read_case_input(options.case_path, options.overrides);
+  const Case c = make_case(input.root, input.folder);
+  listen_for_interruption();
+  RunPlan plan{options.folder.empty() ? "runs/" + c.general.name : options.folder, options.force, options.quiet, "", {}};
+  plan.control = {options.picture, options.tier, threads};
+  if (!c.study.vary.empty()) return run_study(input, c, plan);
+  return exit_code(run_case(c, plan).summary.status);
+}
+
+}  // namespace sinew

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <sinew/corrections/correction.hpp>
+
+namespace sinew {
+
+/// g_ij = a_ij X_ij: the gradient of the kernel as it is. Gradients are wrong near surfaces and on irregular particles.
+struct NoCorrection {
+  static constexpr std::string_view name = "none";
+  static constexpr std::string_view summary = "The gradient of the kernel as it is";
+  static constexpr std::string_view source = "Gingold & Monaghan (1977)";
+  static constexpr bool radial = true;
+  static void describe(auto&&, auto&) {}
+
+  template <int D>
+  GradientMap<D> map(const Moments<D>&) const {
+    return {};
+  }
+};
+
+}  // namespace sinew

@@ -1,0 +1,55 @@
+#include <sinew/formulations/boundary/loads.hpp>
+
+namespace sinew {
+
+template <int D>
+Loads<D>::Loads(std::vector<LoadCondition> conditions) {
+  for (LoadCondition& condition : conditions) {
+    Applied applied{condition.component, std::move(condition.function), {}};
+    for (std::size_t k = 0; k < condition.slots.size(); ++k) applied.entries.push_back({condition.slots[k], condition.share[k]});
+    conditions_.push_back(std::move(applied));
+  }
+}
+
+template <int D>
+void Loads<D>::remember(const Particles<D>& particles) {
+  for (Applied& applied : conditions_)
+    for (Entry& entry : applied.entries) entry.previous_u = particles.place_row(entry.slot)[applied.component];
+}
+
+template <int D>
+void Loads<D>::add(const Particles<D>& particles, double t, double dt, double* force_rows) {
+  for (Applied& applied : conditions_) {
+    double value = 0.0;
+    for (std::size_t k = 0; k < applied.entries.size(); ++k) {
+      Entry& entry = applied.entries[k];
+      if (k == 0 || applied.function.depends_on_place)
+        value = applied.function.value(particles.reference(entry.slot), particles.current(entry.slot), t);
+      const double force = entry.share * value;
+      force_rows[std::size_t(vector_width<D>) * entry.slot + applied.component] += force;
+      if (dt > 0.0) work_ += 0.5 * (entry.force + force) * (particles.place_row(entry.slot)[applied.component] - entry.previous_u);
+      entry.force = force;
+    }
+  }
+}
+
+template <int D>
+std::vector<double> Loads<D>::forces() const {
+  std::vector<double> all;
+  for (const Applied& applied : conditions_)
+    for (const Entry& entry : applied.entries) all.push_back(entry.force);
+  return all;
+}
+
+template <int D>
+void Loads<D>::restore(const std::vector<double>& forces, double work) {
+  std::size_t k = 0;
+  for (Applied& applied : conditions_)
+    for (Entry& entry : applied.entries) entry.force = forces.at(k++);
+  work_ = work;
+}
+
+template class Loads<2>;
+template class Loads<3>;
+
+}  // namespace sinew

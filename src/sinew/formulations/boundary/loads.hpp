@@ -1,0 +1,50 @@
+#pragma once
+/// Given forces on sets of particles: total forces, tractions and pressures on surfaces. All are dead loads: directions and areas are those of the
+/// reference configuration.
+
+#include <sinew/core/field_function.hpp>
+#include <sinew/particles/particles.hpp>
+#include <vector>
+
+namespace sinew {
+
+/// One component of a load: particle slots[k] receives share[k] * function [force].
+struct LoadCondition {
+  int component = 0;
+  FieldFunction function;     ///< total force, or force per area
+  std::vector<int> slots;
+  std::vector<double> share;  ///< part of the total, or the area (times a component of the normal) of the particle
+};
+
+template <int D>
+class Loads {
+ public:
+  Loads() = default;
+  explicit Loads(std::vector<LoadCondition> conditions);
+
+  void remember(const Particles<D>& particles);
+  /// Adds the loads of time t to the force rows and counts their work since `remember` (not at the start, where `dt` is 0).
+  void add(const Particles<D>& particles, double t, double dt, double* force_rows);
+  double work() const { return work_; }
+
+  std::vector<double> forces() const;
+  void restore(const std::vector<double>& forces, double work);
+
+ private:
+  struct Entry {
+    int slot;
+    double share, previous_u = 0.0, force = 0.0;
+  };
+  struct Applied {
+    int component;
+    FieldFunction function;
+    std::vector<Entry> entries;
+  };
+  std::vector<Applied> conditions_;
+  double work_ = 0.0;
+};
+
+extern template class Loads<2>;
+extern template class Loads<3>;
+
+}  // namespace sinew

@@ -1,0 +1,103 @@
+#include <sinew/formulations/boundary/prescribed_motion.hpp>
+
+namespace sinew {
+
+namespace {
+
+/// Central differences of the prescribed function over `width` around its time.
+struct Samples {
+  double before = 0.0, now = 0.0, after = 0.0;
+};
+
+template <int D>
+Samples sample(const FieldFunction& f, const Particles<D>& particles, int slot, double t, double width) {
+  const Point X = particles.reference(slot), x = particles.current(slot);
+  return {f.value(X, x, t - 0.5 * width), f.value(X, x, t), f.value(X, x, t + 0.5 * width)};
+}
+
+}  // namespace
+
+template <int D>
+PrescribedMotion<D>::PrescribedMotion(std::vector<MotionCondition> conditions) {
+  for (MotionCondition& condition : conditions) {
+    Held held{std::move(condition), {}};
+    for (int slot : held.condition.slots) held.entries.push_back({slot});
+    conditions_.push_back(std::move(held));
+  }
+}
+
+template <int D>
+void PrescribedMotion<D>::remember(const Particles<D>& particles) {
+  for (Held& held : conditions_)
+    for (Entry& entry : held.entries) entry.previous_u = particles.place_row(entry.slot)[held.condition.component];
+}
+
+template <int D>
+void PrescribedMotion<D>::move(Particles<D>& particles, double t, double dt) {
+  for (Held& held : conditions_) {
+    const MotionCondition& c = held.condition;
+    const bool displacement = c.kind == MotionCondition::Kind::displacement;
+    const double when = displacement ? t + dt : t + 0.5 * dt;
+    double value = 0.0;
+    for (std::size_t k = 0; k < held.entries.size(); ++k) {
+      Entry& entry = held.entries[k];
+      double& u = particles.place_row(entry.slot)[c.component];
+      u = entry.previous_u;
+      if (k == 0 || c.function.depends_on_place)
+        value = c.function.value(particles.reference(entry.slot), particles.current(entry.slot), when);
+      u = displacement ? value : entry.previous_u + dt * value;
+    }
+  }
+}
+
+template <int D>
+void PrescribedMotion<D>::hold(Particles<D>& particles, double t, double dt, double damping) {
+  for (Held& held : conditions_) {
+    const MotionCondition& c = held.condition;
+    Samples s;
+    for (std::size_t k = 0; k < held.entries.size(); ++k) {
+      Entry& entry = held.entries[k];
+      if (k == 0 || c.function.depends_on_place) s = sample(c.function, particles, entry.slot, t, dt);
+      double velocity = s.now, acceleration = dt > 0.0 ? (s.after - s.before) / dt : 0.0;
+      if (c.kind == MotionCondition::Kind::displacement) {
+        velocity = acceleration;
+        acceleration = dt > 0.0 ? 4.0 * (s.after - 2.0 * s.now + s.before) / (dt * dt) : 0.0;
+      }
+      const std::size_t at = std::size_t(vector_width<D>) * entry.slot + c.component;
+      const double reaction = particles.mass[entry.slot] * (acceleration + damping * velocity - particles.acceleration[at]);
+      work_ += 0.5 * (entry.reaction + reaction) * (particles.place_row(entry.slot)[c.component] - entry.previous_u) * (dt > 0.0);
+      entry.reaction = reaction;
+      particles.velocity[at] = velocity;
+      particles.acceleration[at] = acceleration;
+    }
+  }
+}
+
+template <int D>
+std::vector<double> PrescribedMotion<D>::reaction_rows(int slots) const {
+  std::vector<double> rows(std::size_t(vector_width<D>) * slots, 0.0);
+  for (const Held& held : conditions_)
+    for (const Entry& entry : held.entries) rows[std::size_t(vector_width<D>) * entry.slot + held.condition.component] += entry.reaction;
+  return rows;
+}
+
+template <int D>
+std::vector<double> PrescribedMotion<D>::reactions() const {
+  std::vector<double> all;
+  for (const Held& held : conditions_)
+    for (const Entry& entry : held.entries) all.push_back(entry.reaction);
+  return all;
+}
+
+template <int D>
+void PrescribedMotion<D>::restore(const std::vector<double>& reactions, double work) {
+  std::size_t k = 0;
+  for (Held& held : conditions_)
+    for (Entry& entry : held.entries) entry.reaction = reactions.at(k++);
+  work_ = work;
+}
+
+template class PrescribedMotion<2>;
+template class PrescribedMotion<3>;
+
+}  // namespace sinew

@@ -1,0 +1,58 @@
+#pragma once
+/// Particles whose displacement or velocity is given, component by component, and the forces that hold them there.
+
+#include <sinew/core/field_function.hpp>
+#include <sinew/particles/particles.hpp>
+#include <vector>
+
+namespace sinew {
+
+/// One component of the motion of a set of particles.
+struct MotionCondition {
+  enum class Kind { displacement, velocity };
+  Kind kind = Kind::velocity;
+  int component = 0;
+  FieldFunction function;  ///< [length] or [length/time]
+  std::vector<int> slots;
+};
+
+/// In a step from t to t + dt: `remember` before the drift, `move` after it, `hold` when the new forces are known.
+template <int D>
+class PrescribedMotion {
+ public:
+  PrescribedMotion() = default;
+  explicit PrescribedMotion(std::vector<MotionCondition> conditions);
+
+  void remember(const Particles<D>& particles);
+  /// Puts the particles where they have to be at t + dt: u = function(t + dt), or u += dt function(t + dt/2).
+  void move(Particles<D>& particles, double t, double dt);
+  /// Sets velocity and acceleration at time t to the prescribed ones and takes the difference in force as reaction:
+  /// R = m (a_prescribed + damping v) - (internal + hourglass + external force). `dt`: length of the step, 0 at the start; `damping`: rate [1/time].
+  void hold(Particles<D>& particles, double t, double dt, double damping);
+
+  bool empty() const { return conditions_.empty(); }
+  /// Reactions as vector rows of `slots` particles [force].
+  std::vector<double> reaction_rows(int slots) const;
+  double work() const { return work_; }  ///< done by the reactions so far [energy]
+
+  // restart: everything that is not a function of particles and time
+  std::vector<double> reactions() const;
+  void restore(const std::vector<double>& reactions, double work);
+
+ private:
+  struct Entry {
+    int slot;
+    double previous_u = 0.0, reaction = 0.0;
+  };
+  struct Held {
+    MotionCondition condition;
+    std::vector<Entry> entries;
+  };
+  std::vector<Held> conditions_;
+  double work_ = 0.0;
+};
+
+extern template class PrescribedMotion<2>;
+extern template class PrescribedMotion<3>;
+
+}  // namespace sinew

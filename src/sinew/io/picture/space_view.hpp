@@ -1,0 +1,13 @@
+#pragma once
+/// Pictures of spatial states.
+
+#include <sinew/io/picture.hpp>
+#include <sinew/io/picture/canvas.hpp>
+#include <sinew/io/picture/scalar.hpp>
+
+namespace sinew {
+
+/// The finished page.
+Canvas draw_space(const Snapshot& snapshot, const PictureScalar& scalar, const PictureOptions& options);
+
+}  // namespace sinew

@@ -1,0 +1,40 @@
+#pragma once
+/// Particle files for ParaView 5.11 and newer, VTK's and meshio's Python readers: one .vtu a frame and a .pvd that lists
+/// them with their times.
+
+#include <sinew/particles/snapshot.hpp>
+#include <string>
+#include <vector>
+
+namespace sinew {
+
+/// Writes one frame as a VTK unstructured grid: one vertex a particle at its current coordinates; every field as point data
+/// (symmetric tensors XX YY ZZ XY YZ XZ, tensors row-major), `body` (Int32), `particle_id` (Int64, the place in the snapshot)
+/// and `TimeValue` as field data. Binary inline, compressed. Throws SimulationError with path and reason.
+void write_vtu(const std::string& path, const Snapshot& snapshot);
+
+/// The time series beside the frames. The file on disk is complete after every call.
+class PvdSeries {
+ public:
+  /// A new series; nothing is on disk before the first frame.
+  explicit PvdSeries(const std::string& path);
+  /// Goes on with the series at `path` after its frames with a time of at most `keep_until`. Throws CaseError if it is not
+  /// there or not ours.
+  static PvdSeries resume(const std::string& path, double keep_until);
+
+  /// `relative_file`: as seen from the folder of the .pvd. A frame of the same file is replaced.
+  void add(double time, const std::string& relative_file);
+  std::size_t size() const { return frames.size(); }
+
+ private:
+  struct Frame {
+    double time;
+    std::string file;
+  };
+  std::string path;
+  std::vector<Frame> frames;
+
+  void rewrite() const;
+};
+
+}  // namespace sinew

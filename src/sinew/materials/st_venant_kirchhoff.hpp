@@ -1,0 +1,72 @@
+#pragma once
+
+#include <sinew/materials/material.hpp>
+
+namespace sinew {
+
+/// St. Venant-Kirchhoff: S = lambda tr(E) I + 2 mu E, E = (F^T F - I) / 2, P = F S; energy lambda/2 tr(E)^2 + mu E:E.
+/// Ganzenmueller (2015), eq. 18-20, with tr(E) = E_ii. Limits: large rotations, moderate strains; softens and fails in
+/// compression.
+struct StVenantKirchhoff {
+  static constexpr std::string_view name = "st_venant_kirchhoff";
+  static constexpr std::string_view summary = "Linear law between Green-Lagrange strain and second Piola-Kirchhoff stress";
+  static constexpr std::string_view source = "Ganzenmueller (2015), eq. 18-20";
+  using State = NoState;
+  double density = 0.0;
+  ElasticConstants elastic;
+
+  static void describe(auto&& field, auto& m) {
+    field("density", m.density, "kg/m^3", "Reference mass density.", positive);
+    ElasticConstants::describe(field, m.elastic);
+  }
+
+  template <class T>
+  SINEW_INLINE Response<T, NoState> respond(const Mat3<T>& F, const NoState& = {}, double = 0.0) const {
+    const Mat3<T> E = green_lagrange(F);
+    const T dilation = trace(E);
+    Response<T, NoState> r;
+    r.P = F * second_piola_kirchhoff(E);
+    r.energy = T(0.5 * elastic.lambda()) * dilation * dilation + T(elastic.mu()) * double_dot(E, E);
+    return r;
+  }
+
+  /// A_iJkL = d_ik S_JL + lambda F_iJ F_kL + mu (b_ik d_JL + F_iL F_kJ), b = F F^T.
+  template <class T>
+  Tangent<T> tangent(const Mat3<T>& F) const {
+    const T mu(elastic.mu());
+    const Mat3<T> S = second_piola_kirchhoff(green_lagrange(F));
+    const Mat3<T> b = F * transpose(F);
+    Tangent<T> A = T(elastic.lambda()) * dyad(F, F);
+    for (int i = 0; i < 3; ++i)
+      for (int J = 0; J < 3; ++J)
+        for (int k = 0; k < 3; ++k)
+          for (int L = 0; L < 3; ++L) {
+            T& entry = A[3 * i + J][3 * k + L];
+            entry += mu * F[i][L] * F[k][J];
+            if (i == k) entry += S[J][L];
+            if (J == L) entry += mu * b[i][k];
+          }
+    return A;
+  }
+
+  /// The acoustic tensor is (lambda + mu) F N (x) F N + mu b + S_NN I. Each term is largest for N along the largest principal
+  /// stretch s, which gives (lambda + 3 mu) s^2 + lambda tr(E) - mu.
+  template <class T>
+  SINEW_INLINE T acoustic_stiffness(const Mat3<T>& F) const {
+    const double lambda = elastic.lambda(), mu = elastic.mu();
+    const Mat3<T> C = transpose(F) * F;
+    return T(lambda + 3.0 * mu) * largest_eigenvalue_bound(C) + T(0.5 * lambda) * (trace(C) - T(3.0)) - T(mu);
+  }
+
+ private:
+  template <class T>
+  static SINEW_INLINE Mat3<T> green_lagrange(const Mat3<T>& F) {
+    return T(0.5) * (transpose(F) * F - Mat3<T>::identity());
+  }
+  template <class T>
+  SINEW_INLINE Mat3<T> second_piola_kirchhoff(const Mat3<T>& E) const {
+    return (T(elastic.lambda()) * trace(E)) * Mat3<T>::identity() + T(2.0 * elastic.mu()) * E;
+  }
+};
+
+}  // namespace sinew

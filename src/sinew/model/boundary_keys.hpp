@@ -1,0 +1,32 @@
+#pragma once
+
+#include <sinew/model/case.hpp>
+
+namespace sinew {
+
+/// The keys of [[boundary]] as they are written; a BoundaryCase keeps the one quantity that is prescribed.
+struct BoundaryKeys {
+  using FreeVector = std::array<std::optional<Expression>, 3>;
+  std::string region;
+  std::optional<FreeVector> displacement, velocity;
+  std::optional<std::array<Expression, 3>> force, traction;
+  std::optional<Expression> pressure;
+  std::optional<Point> normal;
+  std::optional<double> area;
+  Place place;
+
+  static void describe(auto&& field, auto& m) {
+    field("region", m.region, no_unit, "Where it holds.", TypeText{region_type});
+    field("displacement", m.displacement, "m", "Prescribed displacement; \"free\" leaves a component alone.", optional);
+    field("velocity", m.velocity, "m/s", "Prescribed velocity; \"free\" leaves a component alone.", optional);
+    field("force", m.force, "N", "Total force, shared by the particles of the region.", optional);
+    field("traction", m.traction, "Pa", "Force per reference area.", optional);
+    field("pressure", m.pressure, "Pa", "Pressure on the reference surface (a dead load), positive when it pushes.", optional);
+    field("normal", m.normal, no_unit, "For pressure: outward normal before deformation; by default from the particles.",
+          optional);
+    field("area", m.area, "m^2", "For traction and pressure: total area of the surface; by default one face a particle.",
+          positive, optional);
+  }
+};
+
+}  // namespace sinew

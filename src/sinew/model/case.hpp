@@ -1,0 +1,278 @@
+#pragma once
+/// A case, understood: typed, complete (every default filled in) and never changed again. Each section describes its own keys;
+/// the reader, its checks, the reference and the schema use that description.
+
+#include <array>
+#include <limits>
+#include <map>
+#include <optional>
+#include <sinew/core/node.hpp>
+#include <sinew/core/units.hpp>
+#include <sinew/model/expression.hpp>
+#include <sinew/model/field_names.hpp>
+#include <sinew/model/plane_state.hpp>
+#include <sinew/model/registered_reader.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace sinew {
+
+/// [case]
+struct GeneralCase {
+  std::string name, reference;
+  int dimension = 3;
+  PlaneState plane = PlaneState::strain;
+  double thickness = 1.0;
+  UnitSystem units;
+  std::string tier = "quick";  ///< quick | full
+
+  static void describe(auto&& field, auto& m) {
+    constexpr Range two_or_three{2.0, 3.0, false, false, "2 or 3"};
+    field("name", m.name, no_unit, "Name of the case; by default that of the file.", optional);
+    field("reference", m.reference, no_unit, "Where the case comes from: paper and section.", optional);
+    field("dimension", m.dimension, no_unit, "Number of dimensions.", two_or_three);
+    field("plane", m.plane, no_unit, "What holds across the plane, in two dimensions only.", optional,
+          OneOf{{"strain", "stress"}});
+    field("thickness", m.thickness, "m", "Thickness across the plane, in two dimensions only.", positive, optional);
+    field("units", m.units, no_unit, "The system of units that plain numbers are in.", optional);
+    field("tier", m.tier, no_unit, "When `sinew verify` runs the case: always, or in the full tier only.", optional,
+          OneOf{{"quick", "full"}});
+  }
+};
+
+/// [[body]]
+struct BodyCase {
+  std::string name;
+  AnyGeometry geometry;  ///< variant over the registered shapes
+  std::string material_name;
+  AnyMaterial material;
+  Place place;
+  Place geometry_place;
+
+  static void describe(auto&& field, auto& m) {
+    field("name", m.name, no_unit, "Name of the body, by which regions and messages call it.");
+    field("geometry", m.geometry, no_unit, "Shape and arrangement of the particles.", TypeText{"table with \"shape\""});
+    field("material", m.material_name, no_unit, "Name of a [material.NAME] table, or the same table inline.",
+          TypeText{"name, or table with \"model\""});
+  }
+};
+
+/// [formulation]
+struct FormulationCase {
+  std::string model = "total_lagrangian";
+  AnyKernel kernel = Spiky{};
+  std::optional<double> support;    ///< kernel radius in particle spacings; either this or `neighbors`
+  std::optional<double> neighbors;  ///< radius per particle so that about this many neighbors are inside it
+  AnyCorrection correction = GradientCorrection{};
+  std::string deformation_gradient = "direct";
+  std::vector<AnyStabilization> stabilizations{HourglassStiffness{}};
+  Place place;
+
+  static constexpr double default_support = 2.41;
+
+  static void describe(auto&& field, auto& m) {
+    field("model", m.model, no_unit, "The formulation.", optional, OneOf{{"total_lagrangian"}});
+    field("kernel", m.kernel, no_unit, "The smoothing kernel.", optional);
+    field("support", m.support, no_unit, "Kernel radius in particle spacings; 2.41 if neither this nor `neighbors` is given.",
+          at_least_one, optional);
+    field("neighbors", m.neighbors, no_unit, "Instead of `support`: a radius per particle with about this many neighbors inside.",
+          at_least_one, optional);
+    field("correction", m.correction, no_unit, "Correction of the kernel gradient.", optional);
+    field("deformation_gradient", m.deformation_gradient, no_unit, "How the deformation gradient is computed.", optional,
+          OneOf{{"direct"}});
+    field("stabilization", m.stabilizations, no_unit, "Treatments of zero-energy modes; [] or \"none\" for none.", optional);
+  }
+};
+
+/// A named particle set in reference coordinates; all conditions that are given must hold.  [region] NAME = {...}, or inline
+struct RegionCase {
+  std::string name;                         ///< inline ones are called after their owner
+  std::string body;                         ///< empty: all bodies
+  std::optional<Expression> where;          ///< true where not zero
+  std::optional<std::array<Point, 2>> box;  ///< low, high
+  std::optional<Point> nearest;             ///< the one particle nearest to this point
+  std::string set;                          ///< a named set of the body's mesh
+  bool is_inline = false;                   ///< belongs to one condition or probe and cannot be referred to
+  Place place;
+
+  static void describe(auto&& field, auto& m) {
+    field("body", m.body, no_unit, "Only particles of this body.", optional, TypeText{"name of a body"});
+    field("where", m.where, no_unit, "Only particles where this expression in X Y Z is true.", optional, TypeText{"condition"});
+    field("box", m.box, "m", "Only particles inside this box (its faces included).", optional);
+    field("nearest", m.nearest, "m", "Only the one particle nearest to this point.", optional);
+    field("set", m.set, no_unit, "Only particles of this named set of the mesh file.", optional);
+  }
+};
+
+/// What `region = ...` of a condition or a probe may be; see TypeText.
+inline constexpr const char* region_type = "name of a region or a body, \"all\", or table { body, where, box, ... }";
+
+/// [[initial]]
+struct InitialCase {
+  std::string region;  ///< key into Case::regions
+  std::optional<std::array<Expression, 3>> velocity;
+  std::optional<std::array<Expression, 3>> displacement;  ///< u(X)
+  std::optional<std::array<double, 3>> stretch;           ///< x_i = stretch_i X_i, about the origin of coordinates
+  Place place;
+
+  static void describe(auto&& field, auto& m) {
+    field("region", m.region, no_unit, "Where it holds.", TypeText{region_type});
+    field("velocity", m.velocity, "m/s", "Velocity at time 0.", optional);
+    field("displacement", m.displacement, "m", "Displacement at time 0, as a function of X Y Z.", optional);
+    field("stretch", m.stretch, no_unit, "Stretch of each axis about the origin at time 0.", positive, optional);
+  }
+};
+
+/// One prescribed quantity on a region. Components that are absent are free (motion) or zero (loads).  [[boundary]]
+struct BoundaryCase {
+  enum class Kind { displacement, velocity, force, traction, pressure };
+  std::string region;
+  Kind kind = Kind::velocity;
+  std::array<std::optional<Expression>, 3> value;  ///< pressure uses value[0]
+  std::optional<Point> normal;                     ///< pressure: outward normal in the reference configuration
+  std::optional<double> area;                      ///< traction, pressure: total area of the region's surface
+  Place place;
+};
+
+/// [solver]
+struct SolverCase {
+  std::string mode = "explicit";
+  std::string integrator = "velocity_verlet";
+  double cfl = 0.3;
+  double end_time = std::numeric_limits<double>::infinity();  ///< infinity if only max_steps ends the run
+  std::optional<long> max_steps;
+  std::optional<double> time_step;  ///< fixed step instead of the adaptive one
+  double damping = 0.0;             ///< a += -damping v  [1/time]
+
+  static void describe(auto&& field, auto& m) {
+    constexpr Range courant{0.0, 1.0, true, false, "greater than 0 and at most 1"};
+    field("mode", m.mode, no_unit, "How the equations are solved.", optional, OneOf{{"explicit"}});
+    field("integrator", m.integrator, no_unit, "Time integration.", optional, OneOf{{"velocity_verlet"}});
+    field("cfl", m.cfl, no_unit, "Time step over the time that a wave takes across a particle.", courant, optional);
+    field("end_time", m.end_time, "s", "Time at which the run ends; needed unless max_steps is given.", positive, optional);
+    field("max_steps", m.max_steps, no_unit, "Number of steps after which the run ends.", at_least_one, optional);
+    field("time_step", m.time_step, "s", "A fixed time step instead of the one from cfl.", positive, optional);
+    field("damping", m.damping, "1/s", "Damping rate: every particle gets the acceleration -damping times its velocity.",
+          non_negative, optional);
+  }
+};
+
+/// [output]
+struct OutputCase {
+  double every = 0.0;             ///< 0: only the first and the last state
+  double history_every = 0.0;     ///< 0: every step up to 10 000 rows
+  double checkpoint_every = 0.0;  ///< 0: only at the end or when interrupted
+  std::vector<std::string> fields{"displacement", "velocity", "von_mises_stress", "pressure"};
+  std::string picture_field = "displacement";
+  std::string picture;  ///< file name of the final picture inside the run folder; empty: none
+
+  static void describe(auto&& field, auto& m) {
+    field("every", m.every, "s", "Time between particle files; 0: only the first and the last state.", non_negative, optional);
+    field("history_every", m.history_every, "s", "Time between rows of history.csv; 0: every step, up to 10 000 rows.",
+          non_negative, optional);
+    field("checkpoint_every", m.checkpoint_every, "s", "Time between checkpoints; 0: only at the end.", non_negative, optional);
+    field("fields", m.fields, no_unit, "What the particle files hold.", optional, OneOf{field_names()});
+    field("picture_field", m.picture_field, no_unit, "Which field colors the picture.", optional, OneOf{field_names()});
+    field("picture", m.picture, no_unit, "File name (.png) of a picture of the last state, in the run folder.", optional);
+  }
+};
+
+/// [[probe]]
+struct ProbeCase {
+  std::string name;
+  std::string quantity;         ///< a field or a total such as energy.kinetic; empty if `expression` is given
+  std::string region;           ///< key into Case::regions; empty: all particles
+  std::string reduce = "mean";  ///< sum | mean | min | max; totals (energies, momenta, reaction force, time step) always have sum
+  std::string component;        ///< "" for scalars; x y z xx xy ... magnitude
+  std::string expression;       ///< over the names of earlier probes, parameters and t
+  Place place;
+
+  static void describe(auto&& field, auto& m) {
+    field("name", m.name, no_unit, "Name of the column in history.csv.");
+    field("quantity", m.quantity, no_unit, "What is followed.", optional, OneOf{probe_quantity_names()});
+    field("region", m.region, no_unit, "The particles; by default all.", optional, TypeText{region_type});
+    field("reduce", m.reduce, no_unit, "How many particles become one number.", optional, OneOf{{"sum", "mean", "min", "max"}});
+    field("component", m.component, no_unit, "x y z magnitude of a vector, xx xy ... of a tensor.", optional);
+    field("expression", m.expression, no_unit, "Instead of a quantity: a formula over earlier probes, the parameters and t.",
+          optional);
+  }
+};
+
+/// [[expect]]
+struct ExpectCase {
+  std::string quantity;  ///< probe.NAME.REDUCTION
+  double value = 0.0;
+  std::optional<double> tolerance;  ///< relative
+  std::optional<double> absolute;
+  std::optional<double> exact;                       ///< .rate: the value towards which the sequence converges
+  std::vector<std::pair<std::string, double>> with;  ///< only the runs of the study with these values
+  std::string why, source, note;
+  std::string tier = "quick";
+  std::string probe;      ///< of the quantity: NAME
+  std::string reduction;  ///< of the quantity: final | min | max | at | period | frequency | range | drift | rate
+  double time = 0.0;      ///< of at(time)
+  Place place;
+
+  static void describe(auto&& field, auto& m) {
+    field("quantity", m.quantity, no_unit, "probe.NAME.final, or min, max, at(t), range, drift, period, frequency, rate.");
+    field("value", m.value, any_unit, "The published value.", any_number);
+    field("tolerance", m.tolerance, no_unit, "Allowed relative difference; this or `absolute`.", positive, optional);
+    field("absolute", m.absolute, any_unit, "Allowed absolute difference; this or `tolerance`.", positive, optional);
+    field("exact", m.exact, any_unit, "For rate: the value towards which the sequence converges.", optional);
+    field("with", m.with, no_unit, "Only the runs of the study with these values.", optional);
+    field("why", m.why, no_unit, "Why this tolerance.", optional);
+    field("source", m.source, no_unit, "Figure, table or equation.", optional);
+    field("note", m.note, no_unit, "Anything else worth knowing.", optional);
+    field("tier", m.tier, no_unit, "When it is checked: always, or in the full tier only.", optional, OneOf{{"quick", "full"}});
+  }
+};
+
+/// [study]
+struct StudyCase {
+  std::vector<std::pair<std::string, std::vector<double>>> vary;  ///< key path -> values; all combinations are run
+
+  static void describe(auto&& field, auto& m) {
+    field("vary", m.vary, any_unit, "Key paths and their values; all combinations are run.");
+  }
+};
+
+/// [body_force]
+struct BodyForceCase {
+  std::array<Expression, 3> acceleration;
+
+  static void describe(auto&& field, auto& m) {
+    field("acceleration", m.acceleration, "m/s^2", "Force per mass on every particle.");
+  }
+};
+
+struct Case {
+  GeneralCase general;
+  std::map<std::string, double> parameters;
+  std::vector<BodyCase> bodies;
+  FormulationCase formulation;
+  std::map<std::string, RegionCase> regions;  ///< the named ones, one for each body, "all", and the inline ones
+  std::vector<InitialCase> initial;
+  std::vector<BoundaryCase> boundary;
+  std::array<Expression, 3> body_force;  ///< acceleration
+  SolverCase solver;
+  OutputCase output;
+  std::vector<ProbeCase> probes;
+  std::vector<ExpectCase> expects;
+  StudyCase study;
+  std::string folder;  ///< of the case file, absolute
+  Node resolved;       ///< the case with every default filled in, for case.resolved.toml
+};
+
+/// Understands a parsed case file. Throws CaseError with file:line:column, the value, what is allowed, the nearest known name.
+Case make_case(const Node& root, const std::string& folder);
+
+/// Puts `value` at the dotted `path` ("parameters.n", "body.0.geometry.spacing", "body.beam.material") as --set does: list
+/// entries by number from 0 or by name. CaseError at the place of `value` for a parameter, entry or table that is not there;
+/// another unknown key is reported by make_case.
+void override_value(Node& root, const std::string& path, const Node& value);
+
+/// Every section of the case file and its keys, in the order of the reference. [parameters] has none of its own.
+std::vector<std::pair<std::string, std::vector<ParameterDoc>>> case_sections();
+
+}  // namespace sinew

@@ -1,0 +1,153 @@
+#include <sinew/model/conditions.hpp>
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <set>
+
+namespace sinew {
+
+namespace {
+
+FieldFunction field_function(const Expression& expression) {
+  return {[expression](const Point& X, const Point& x, double t) { return expression(X, x, t); }, expression.depends_on_place()};
+}
+
+bool is_motion(BoundaryCase::Kind kind) { return kind == BoundaryCase::Kind::displacement || kind == BoundaryCase::Kind::velocity; }
+
+/// Unit vector away from the neighbors of a particle, by the hourglass weights of its pairs.
+template <int D>
+Vec<double, D> outward_normal(const Particles<D>& particles, const TotalLagrangian<D>& solid, int slot) {
+  const PairList& list = solid.pairs();
+  Vec<double, D> sum;
+  const Point own = particles.reference(slot);
+  for (int n = 0; n < list.neighbor_count[slot]; ++n) {
+    const std::size_t at = lanes * (list.first_entry[slot / lanes] + n) + slot % lanes;
+    const Point X = particles.reference(list.neighbor[at]) - own;
+    for (int c = 0; c < D; ++c) sum[c] -= solid.weights().stiffness[at] * X[c];
+  }
+  const double length = norm(sum);
+  return length > 0.0 ? (1.0 / length) * sum : sum;
+}
+
+template <int D>
+std::vector<double> shares_by_volume(const std::vector<int>& slots, const Particles<D>& particles) {
+  double total = 0.0;
+  for (int slot : slots) total += particles.volume[slot];
+  std::vector<double> shares;
+  for (int slot : slots) shares.push_back(particles.volume[slot] / total);
+  return shares;
+}
+
+template <int D>
+std::vector<double> areas(const BoundaryCase& b, const std::vector<int>& slots, const Particles<D>& particles, double thickness) {
+  std::vector<double> area = shares_by_volume(slots, particles);
+  for (std::size_t k = 0; k < slots.size(); ++k)
+    area[k] = b.area ? *b.area * area[k] : thickness * std::pow(particles.volume[slots[k]], (D - 1.0) / D);
+  return area;
+}
+
+/// A pressure p on an area with outward normal N is the force -p N A; component by component.
+template <int D>
+void add_pressure(const BoundaryCase& b, const std::vector<int>& slots, const std::vector<double>& area, const Particles<D>& particles,
+                  const TotalLagrangian<D>& solid, std::vector<LoadCondition>& loads) {
+  for (int c = 0; c < D; ++c) {
+    LoadCondition load{c, field_function(*b.value[0]), slots, {}};
+    for (std::size_t k = 0; k < slots.size(); ++k) {
+      const double normal = b.normal ? (*b.normal)[c] / norm(*b.normal) : outward_normal(particles, solid, slots[k])[c];
+      load.share.push_back(-normal * area[k]);
+    }
+    loads.push_back(std::move(load));
+  }
+}
+
+bool is_constant(const std::array<Expression, 3>& acceleration) {
+  return acceleration[0].is_constant() && acceleration[1].is_constant() && acceleration[2].is_constant();
+}
+
+/// Mass times acceleration on every particle.
+template <int D>
+void add_body_force(const std::array<Expression, 3>& acceleration, const Particles<D>& particles, std::vector<LoadCondition>& loads) {
+  for (int c = 0; c < D; ++c) {
+    LoadCondition load{c, field_function(acceleration[c]), particles.slot_of, {}};
+    for (int slot : particles.slot_of) load.share.push_back(particles.mass[slot]);
+    loads.push_back(std::move(load));
+  }
+}
+
+}  // namespace
+
+template <int D>
+Vec<double, D> constant_body_force(const Case& c) {
+  Vec<double, D> gravity;
+  for (int i = 0; i < D && is_constant(c.body_force); ++i) gravity[i] = c.body_force[i](0.0);
+  return gravity;
+}
+
+template <int D>
+PrescribedMotion<D> make_prescribed_motion(const Case& c, const Regions& regions, std::vector<std::string>& warnings) {
+  std::vector<MotionCondition> conditions;
+  std::set<std::pair<int, int>> taken;  // slot, component
+  long shared = 0;
+  for (auto b = c.boundary.rbegin(); b != c.boundary.rend(); ++b) {
+    if (!is_motion(b->kind)) continue;
+    for (int component = 0; component < D; ++component) {
+      if (!b->value[component]) continue;
+      MotionCondition m{b->kind == BoundaryCase::Kind::displacement ? MotionCondition::Kind::displacement : MotionCondition::Kind::velocity,
+                        component, field_function(*b->value[component]), {}};
+      for (int slot : regions.at(b->region))
+        if (taken.insert({slot, component}).second)
+          m.slots.push_back(slot);
+        else
+          ++shared;
+      conditions.push_back(std::move(m));
+    }
+  }
+  if (shared > 0)
+    warnings.push_back(fmt::format("{} components of particles are prescribed by more than one [[boundary]]; the last one in the file holds.", shared));
+  return PrescribedMotion<D>(std::move(conditions));
+}
+
+template <int D>
+Loads<D> make_loads(const Case& c, const Regions& regions, const Particles<D>& particles, const TotalLagrangian<D>& solid) {
+  std::vector<LoadCondition> loads;
+  for (const BoundaryCase& b : c.boundary) {
+    if (is_motion(b.kind)) continue;
+    const std::vector<int>& slots = regions.at(b.region);
+    const bool force = b.kind == BoundaryCase::Kind::force;
+    const std::vector<double> share = force ? shares_by_volume(slots, particles) : areas(b, slots, particles, c.general.thickness);
+    if (b.kind == BoundaryCase::Kind::pressure) {
+      add_pressure(b, slots, share, particles, solid, loads);
+      continue;
+    }
+    for (int component = 0; component < D; ++component)
+      if (b.value[component]) loads.push_back({component, field_function(*b.value[component]), slots, share});
+  }
+  if (!is_constant(c.body_force)) add_body_force(c.body_force, particles, loads);
+  return Loads<D>(std::move(loads));
+}
+
+template <int D>
+void set_initial_state(const Case& c, const Regions& regions, Particles<D>& particles) {
+  for (const InitialCase& initial : c.initial)
+    for (int slot : regions.at(initial.region)) {
+      const Point X = particles.reference(slot);
+      double* u = particles.place_row(slot);
+      for (int i = 0; i < D; ++i) {
+        if (initial.stretch) u[i] = ((*initial.stretch)[i] - 1.0) * X[i];
+        if (initial.displacement) u[i] = (*initial.displacement)[i](X, X, 0.0);
+        if (initial.velocity) particles.velocity_row(slot)[i] = (*initial.velocity)[i](X, X, 0.0);
+      }
+    }
+}
+
+template Vec<double, 2> constant_body_force<2>(const Case&);
+template Vec<double, 3> constant_body_force<3>(const Case&);
+template PrescribedMotion<2> make_prescribed_motion<2>(const Case&, const Regions&, std::vector<std::string>&);
+template PrescribedMotion<3> make_prescribed_motion<3>(const Case&, const Regions&, std::vector<std::string>&);
+template Loads<2> make_loads<2>(const Case&, const Regions&, const Particles<2>&, const TotalLagrangian<2>&);
+template Loads<3> make_loads<3>(const Case&, const Regions&, const Particles<3>&, const TotalLagrangian<3>&);
+template void set_initial_state<2>(const Case&, const Regions&, Particles<2>&);
+template void set_initial_state<3>(const Case&, const Regions&, Particles<3>&);
+
+}  // namespace sinew

@@ -1,0 +1,102 @@
+#include <sinew/model/probes.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace sinew {
+
+namespace {
+
+/// Component of a vector total; -1: magnitude.
+double component_of(const Point& v, int component) { return component < 0 ? norm(v) : v[component]; }
+
+double component_of(const Components& q, int component) {
+  if (component >= 0) return q.value[component];
+  double square = 0.0;
+  for (int k = 0; k < q.count; ++k) square += q.value[k] * q.value[k];
+  return std::sqrt(square);
+}
+
+double energy_of(std::string_view name, const Energies& e) {
+  if (name == "energy.kinetic") return e.kinetic;
+  if (name == "energy.strain") return e.strain;
+  if (name == "energy.hourglass") return e.hourglass;
+  if (name == "energy.external_work") return e.external_work;
+  if (name == "energy.dissipated") return e.dissipated;
+  if (name == "energy.balance_error") return e.balance_error();
+  return e.total();
+}
+
+}  // namespace
+
+template <int D>
+Probes<D>::Probes(const Case& c, const Regions& regions) : parameters_(c.parameters), units_(c.general.units) {
+  for (const ProbeCase& p : c.probes) {
+    Probe probe{p, nullptr, 0, {}};
+    if (p.expression.empty()) {
+      probe.quantity = find_quantity(p.quantity);
+      probe.component = component_index(*probe.quantity, p.component);
+      probe.slots = regions.at(p.region.empty() ? "all" : p.region);
+      need_record_ = need_record_ || (!probe.quantity->is_total && needs_record(p.quantity));
+    }
+    probes_.push_back(std::move(probe));
+  }
+}
+
+template <int D>
+double Probes<D>::over_particles(const Probe& probe, const ProbedState<D>& state) const {
+  double sum = 0.0, least = infinity, most = -infinity;
+  for (int slot : probe.slots) {
+    const double value = component_of(particle_quantity(probe.c.quantity, slot, state.particles, state.solid, state.record), probe.component);
+    sum += value;
+    least = std::min(least, value);
+    most = std::max(most, value);
+  }
+  if (probe.c.reduce == "sum") return sum;
+  if (probe.c.reduce == "min") return least;
+  if (probe.c.reduce == "max") return most;
+  return sum / static_cast<double>(probe.slots.size());
+}
+
+template <int D>
+double Probes<D>::total(const Probe& probe, const ProbedState<D>& state) const {
+  const std::string& name = probe.c.quantity;
+  if (name == "time_step") return state.time_step;
+  if (name == "linear_momentum") return component_of(state.momenta.linear, probe.component);
+  if (name == "angular_momentum") return component_of(state.momenta.angular, probe.component);
+  if (name == "reaction_force") {
+    Point sum;
+    const std::vector<double> rows = state.motion.reaction_rows(state.particles.slots);
+    for (int slot : probe.slots)
+      for (int c = 0; c < D; ++c) sum[c] += rows[std::size_t(vector_width<D>) * slot + c];
+    return component_of(sum, probe.component);
+  }
+  return energy_of(name, state.energies);
+}
+
+template <int D>
+std::vector<double> Probes<D>::values(const ProbedState<D>& state) const {
+  std::vector<double> values;
+  std::map<std::string, double> names = parameters_;
+  names["t"] = state.time;
+  for (const Probe& probe : probes_) {
+    if (!probe.quantity)
+      values.push_back(Expression(probe.c.expression, names, probe.c.place, false)(state.time));
+    else
+      values.push_back(probe.quantity->is_total ? total(probe, state) : over_particles(probe, state));
+    names[probe.c.name] = values.back();
+  }
+  return values;
+}
+
+template <int D>
+std::vector<std::string> Probes<D>::units() const {
+  std::vector<std::string> units;
+  for (const Probe& probe : probes_) units.push_back(probe.quantity ? units_.name_of(probe.quantity->unit) : "");
+  return units;
+}
+
+template class Probes<2>;
+template class Probes<3>;
+
+}  // namespace sinew

@@ -1,0 +1,44 @@
+#include <sinew/model/read_case.hpp>
+
+#include <cmath>
+
+namespace sinew {
+namespace {
+
+constexpr const char* no_end = "[solver]: \"end_time\" is missing. Give the time at which the run ends, or max_steps.";
+
+/// end_time comes first, since the other keys may use it.
+void define_end_time(CaseReader& reader, const Node& table) {
+  const Node* node = table.find("end_time");
+  if (!node) return;
+  FieldSpec spec;
+  spec.owner = "[solver]";
+  spec.key = "end_time";
+  spec.unit = "s";
+  spec.range = positive;
+  reader.reading.constants["end_time"] = read_number(*node, spec, reader.reading);
+}
+
+}  // namespace
+
+void read_solver_and_output(CaseReader& reader) {
+  const Node table = section_table(reader, "solver");
+  if (!reader.root.find("solver")) throw CaseError(reader.root.place, no_end);
+  check_keys(table, "[solver]", described_keys<SolverCase>());
+  SolverCase& solver = reader.result.solver;
+  define_end_time(reader, table);
+  Node resolved = read_described(solver, table, "[solver]", reader.reading);
+  if (!std::isfinite(solver.end_time) && !solver.max_steps) throw CaseError(table.place, no_end);
+  add_resolved(reader, "solver", std::move(resolved));
+
+  const Node output_table = section_table(reader, "output");
+  OutputCase& output = reader.result.output;
+  add_resolved(reader, "output", read_described(output, output_table, "[output]", reader.reading));
+  const bool png = output.picture.ends_with(".png") && output.picture.find('/') == std::string::npos;
+  if (!output.picture.empty() && !png)
+    throw CaseError(
+        output_table.find("picture")->place,
+        "[output]: picture must be a file name that ends with .png, without folders, found \"" + output.picture + "\"");
+}
+
+}  // namespace sinew

@@ -1,0 +1,118 @@
+#include <sinew/model/regions.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace sinew {
+
+namespace {
+
+/// Numbers of one body's particles in the user's order.
+struct UserRange {
+  std::string name;
+  int first, count;
+};
+
+template <int D>
+std::vector<UserRange> user_ranges(const Particles<D>& particles) {
+  std::vector<UserRange> ranges;
+  int first = 0;
+  for (const BodyRange& body : particles.bodies) {
+    ranges.push_back({body.name, first, body.count});
+    first += body.count;
+  }
+  return ranges;
+}
+
+bool inside(const std::array<Point, 2>& box, const Point& X, int dimension) {
+  for (int c = 0; c < dimension; ++c)
+    if (X[c] < box[0][c] || X[c] > box[1][c]) return false;
+  return true;
+}
+
+bool satisfies(const RegionCase& region, const Point& X, int dimension) {
+  if (region.box && !inside(*region.box, X, dimension)) return false;
+  return !region.where || (*region.where)(X, X, 0.0) != 0.0;
+}
+
+template <int D>
+[[noreturn]] void selects_nothing(const RegionCase& region, const Particles<D>& particles) {
+  Point low, high;
+  for (int c = 0; c < D; ++c) low[c] = std::numeric_limits<double>::infinity(), high[c] = -low[c];
+  for (int slot : particles.slot_of)
+    for (int c = 0; c < D; ++c) {
+      low[c] = std::min(low[c], particles.reference(slot)[c]);
+      high[c] = std::max(high[c], particles.reference(slot)[c]);
+    }
+  std::string extent;
+  for (int c = 0; c < D; ++c) extent += fmt::format("{}{} from {:.6g} to {:.6g}", c ? ", " : "", "XYZ"[c], low[c], high[c]);
+  throw CaseError(region.place, fmt::format("region \"{}\" selects no particle. Particles have {} (a particle stands in the middle of its cell, half a "
+                                            "spacing inside the surface).", region.name, extent));
+}
+
+/// Of the candidates the one nearest to the point; the first of several at the same distance.
+template <int D>
+int nearest_of(const std::vector<int>& candidates, const Point& target, const Particles<D>& particles) {
+  int best = candidates.front();
+  double least = std::numeric_limits<double>::infinity();
+  for (int slot : candidates) {
+    const Point d = particles.reference(slot) - target;
+    if (dot(d, d) < least * (1.0 - 1e-12)) {
+      least = dot(d, d);
+      best = slot;
+    }
+  }
+  return best;
+}
+
+template <int D>
+std::vector<int> select(const RegionCase& region, const Case& c, const std::vector<GeneratedBody>& bodies, const Particles<D>& particles) {
+  std::vector<int> found;
+  const std::vector<UserRange> ranges = user_ranges(particles);
+  for (std::size_t b = 0; b < ranges.size(); ++b) {
+    if (!region.body.empty() && ranges[b].name != region.body) continue;
+    std::vector<char> in_set(ranges[b].count, region.set.empty());
+    if (!region.set.empty()) {
+      const auto set = bodies[b].points.sets.find(region.set);
+      if (set == bodies[b].points.sets.end()) continue;
+      for (int i : set->second) in_set[i] = 1;
+    }
+    for (int i = 0; i < ranges[b].count; ++i) {
+      const int slot = particles.slot_of[ranges[b].first + i];
+      if (in_set[i] && satisfies(region, particles.reference(slot), c.general.dimension)) found.push_back(slot);
+    }
+  }
+  if (found.empty()) selects_nothing(region, particles);
+  if (region.nearest) found = {nearest_of(found, *region.nearest, particles)};
+  return found;
+}
+
+void check_set_name(const RegionCase& region, const Case& c, const std::vector<GeneratedBody>& bodies) {
+  if (region.set.empty()) return;
+  std::vector<std::string> known;
+  for (std::size_t b = 0; b < bodies.size(); ++b)
+    if (region.body.empty() || c.bodies[b].name == region.body)
+      for (const auto& [name, points] : bodies[b].points.sets) known.push_back(name);
+  if (std::find(known.begin(), known.end(), region.set) == known.end())
+    throw CaseError(region.place, "region \"" + region.name + "\": " + unknown_name_message("mesh set", region.set, known));
+}
+
+}  // namespace
+
+template <int D>
+std::map<std::string, std::vector<int>> select_regions(const Case& c, const std::vector<GeneratedBody>& bodies, const Particles<D>& particles) {
+  std::map<std::string, std::vector<int>> regions;
+  for (const auto& [name, region] : c.regions) {
+    check_set_name(region, c, bodies);
+    regions[name] = select(region, c, bodies, particles);
+  }
+  return regions;
+}
+
+template std::map<std::string, std::vector<int>> select_regions<2>(const Case&, const std::vector<GeneratedBody>&, const Particles<2>&);
+template std::map<std::string, std::vector<int>> select_regions<3>(const Case&, const std::vector<GeneratedBody>&, const Particles<3>&);
+
+}  // namespace sinew

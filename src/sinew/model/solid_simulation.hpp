@@ -1,0 +1,69 @@
+#pragma once
+/// A total-Lagrangian explicit run in D dimensions.
+
+#include <sinew/core/timer.hpp>
+#include <sinew/model/conditions.hpp>
+#include <sinew/model/probes.hpp>
+#include <sinew/model/regions.hpp>
+#include <sinew/model/simulation.hpp>
+#include <sinew/time/step_size.hpp>
+
+namespace sinew {
+
+template <int D>
+class SolidSimulation final : public Simulation {
+ public:
+  explicit SolidSimulation(const Case& c);
+
+  const ModelFacts& facts() const override { return facts_; }
+  double time() const override { return time_; }
+  long steps() const override { return steps_; }
+  double stable_time_step() const override { return step_size_(summary_); }
+  void step(double most) override;
+
+  Energies energies() override;
+  Momenta momenta() override;
+  std::vector<double> probe_values() override;
+  std::vector<std::string> probe_units() const override { return probes_.units(); }
+  Snapshot snapshot(const std::vector<std::string>& fields) override;
+
+  std::string state_hash() const override;
+  SavedState save() const override;
+  void restore(const SavedState& state) override;
+  std::map<std::string, double> pass_seconds() const override { return {timer_.seconds().begin(), timer_.seconds().end()}; }
+
+ private:
+  SolidSimulation(const Case& c, const std::vector<GeneratedBody>& bodies, const Stopwatch& watch);
+  void start();
+  void update_forces(double dt);
+  void count_dissipation(double dt);
+  void check_state();
+  [[noreturn]] void fail(const std::string& cause);
+  const RecordedState& record();
+  FieldData field(const std::string& name);
+  void collect_facts(const std::vector<GeneratedBody>& bodies, double setup_seconds);
+
+  Case case_;
+  ModelFacts facts_;
+  Particles<D> particles_;
+  Regions regions_;
+  TotalLagrangian<D> solid_;
+  ForceStreams<D> forces_;
+  PrescribedMotion<D> motion_;
+  Loads<D> loads_;
+  Vec<double, D> gravity_;  ///< body force that is the same everywhere and always [length/time^2]
+  Probes<D> probes_;
+  StepSize step_size_;
+  PassTimer timer_{"drift", "boundary", "pair forces", "kick"};
+
+  double time_ = 0.0;
+  long steps_ = 0;
+  ForceSummary summary_;        ///< of the current state
+  double first_time_step_ = 0.0;
+  double dissipated_ = 0.0, dissipation_rate_ = 0.0;
+  double initial_energy_ = 0.0, initial_gravity_work_ = 0.0;
+  std::unique_ptr<RecordedState> record_;
+  long recorded_step_ = -1;
+};
+
+}  // namespace sinew

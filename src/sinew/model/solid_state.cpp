@@ -1,0 +1,174 @@
+/// Of SolidSimulation: what leaves it (files, restart) and what is watched (a state that is no longer usable).
+
+#include <sinew/model/fields.hpp>
+#include <sinew/model/solid_simulation.hpp>
+
+#include <fmt/format.h>
+
+#include <bit>
+#include <cmath>
+
+namespace sinew {
+
+namespace {
+
+/// Row-major 9 -> XX YY ZZ XY YZ XZ.
+constexpr int symmetric_order[6] = {0, 4, 8, 1, 5, 2};
+
+bool is_symmetric(const std::string& field) { return field == "green_lagrange_strain" || field == "cauchy_stress"; }
+
+template <int D>
+void copy_rows(const AlignedArray<double>& rows, const std::vector<int>& slots, int width, int offset, std::vector<double>& out) {
+  out.reserve(slots.size() * D);
+  for (int slot : slots)
+    for (int c = 0; c < D; ++c) out.push_back(rows[std::size_t(width) * slot + offset + c]);
+}
+
+template <int D>
+void put_rows(const std::vector<double>& in, const std::vector<int>& slots, int width, AlignedArray<double>& rows) {
+  std::size_t k = 0;
+  for (int slot : slots)
+    for (int c = 0; c < D; ++c) rows[std::size_t(width) * slot + c] = in.at(k++);
+}
+
+}  // namespace
+
+template <int D>
+FieldData SolidSimulation<D>::field(const std::string& name) {
+  const RecordedState* state = needs_record(name) ? &record() : nullptr;
+  const QuantityInfo& info = *find_quantity(name);
+  FieldData data{name, case_.general.units.name_of(info.unit), 1, {}};
+  const bool symmetric = is_symmetric(name);
+  for (int slot : particles_.slot_of) {
+    const Components q = particle_quantity(name, slot, particles_, solid_, state);
+    data.components = symmetric ? 6 : q.count;
+    for (int c = 0; c < data.components; ++c) data.values.push_back(q.value[symmetric ? symmetric_order[c] : c]);
+  }
+  return data;
+}
+
+template <int D>
+Snapshot SolidSimulation<D>::snapshot(const std::vector<std::string>& fields) {
+  Snapshot s;
+  s.time = time_;
+  s.step = steps_;
+  s.dimension = D;
+  s.length_unit = case_.general.units.name_of("m");
+  s.time_unit = case_.general.units.name_of("s");
+  for (const BodyRange& body : particles_.bodies) s.body_names.push_back(body.name);
+  for (int slot : particles_.slot_of) {
+    s.position.push_back(particles_.current(slot));
+    s.size.push_back(std::pow(particles_.volume[slot], 1.0 / D));
+    s.body.push_back(particles_.body_of(slot));
+  }
+  for (const std::string& name : fields) s.fields.push_back(field(name));
+  return s;
+}
+
+/// FNV-1a of the bits of x and v, in the user's order.
+template <int D>
+std::string SolidSimulation<D>::state_hash() const {
+  std::uint64_t hash = 0xcbf29ce484222325ULL;
+  const auto add = [&hash](double value) {
+    const auto bits = std::bit_cast<std::uint64_t>(value + 0.0);  // -0 counts as 0
+    for (int byte = 0; byte < 8; ++byte) hash = (hash ^ ((bits >> (8 * byte)) & 0xff)) * 0x100000001b3ULL;
+  };
+  for (int slot : particles_.slot_of)
+    for (int c = 0; c < D; ++c) {
+      add(particles_.current(slot)[c]);
+      add(particles_.velocity_row(slot)[c]);
+    }
+  return fmt::format("{:016x}", hash);
+}
+
+template <int D>
+SavedState SolidSimulation<D>::save() const {
+  SavedState s{time_, steps_, {}, {}};
+  copy_rows<D>(particles_.place, particles_.slot_of, place_width<D>, 0, s.arrays["displacement"]);
+  copy_rows<D>(particles_.place, particles_.slot_of, place_width<D>, vector_width<D>, s.arrays["reference_position"]);
+  copy_rows<D>(particles_.velocity, particles_.slot_of, vector_width<D>, 0, s.arrays["velocity"]);
+  copy_rows<D>(particles_.acceleration, particles_.slot_of, vector_width<D>, 0, s.arrays["acceleration"]);
+  s.arrays["reactions"] = motion_.reactions();
+  s.arrays["loads"] = loads_.forces();
+  s.numbers = {{"reaction_work", motion_.work()},
+               {"load_work", loads_.work()},
+               {"dissipated", dissipated_},
+               {"dissipation_rate", dissipation_rate_},
+               {"initial_energy", initial_energy_},
+               {"initial_gravity_work", initial_gravity_work_},
+               {"first_time_step", first_time_step_},
+               {"strain_energy", summary_.strain_energy},
+               {"hourglass_energy", summary_.hourglass_energy},
+               {"smallest_jacobian", summary_.smallest_jacobian},
+               {"largest_rate2", summary_.largest_rate2}};
+  return s;
+}
+
+template <int D>
+void SolidSimulation<D>::restore(const SavedState& s) {
+  std::vector<double> reference;
+  copy_rows<D>(particles_.place, particles_.slot_of, place_width<D>, vector_width<D>, reference);
+  if (reference != s.arrays.at("reference_position"))
+    throw CaseError("the checkpoint belongs to other particles than the case makes now. Resume with the case that wrote it.");
+  put_rows<D>(s.arrays.at("displacement"), particles_.slot_of, place_width<D>, particles_.place);
+  put_rows<D>(s.arrays.at("velocity"), particles_.slot_of, vector_width<D>, particles_.velocity);
+  put_rows<D>(s.arrays.at("acceleration"), particles_.slot_of, vector_width<D>, particles_.acceleration);
+  motion_.restore(s.arrays.at("reactions"), s.numbers.at("reaction_work"));
+  loads_.restore(s.arrays.at("loads"), s.numbers.at("load_work"));
+  time_ = s.time;
+  steps_ = s.step;
+  dissipated_ = s.numbers.at("dissipated");
+  dissipation_rate_ = s.numbers.at("dissipation_rate");
+  initial_energy_ = s.numbers.at("initial_energy");
+  initial_gravity_work_ = s.numbers.at("initial_gravity_work");
+  first_time_step_ = s.numbers.at("first_time_step");
+  summary_ = {s.numbers.at("strain_energy"), s.numbers.at("hourglass_energy"), s.numbers.at("smallest_jacobian"), s.numbers.at("largest_rate2")};
+  recorded_step_ = -1;
+}
+
+/// Stops a run whose numbers have lost their meaning, at the step in which it happens.
+template <int D>
+void SolidSimulation<D>::check_state() {
+  if (!std::isfinite(summary_.strain_energy)) fail("a stress is not finite");
+  if (summary_.smallest_jacobian <= 0.0) fail("its volume has become zero or negative (det F <= 0)");
+  if (stable_time_step() < 1e-6 * first_time_step_) fail("the stable time step has fallen below a millionth of the first one");
+}
+
+template <int D>
+void SolidSimulation<D>::fail(const std::string& cause) {
+  recorded_step_ = -1;
+  const RecordedState& state = record();
+  int worst = particles_.slot_of.front();
+  double least = infinity;
+  for (int slot : particles_.slot_of) {
+    const Components J = particle_quantity("jacobian", slot, particles_, solid_, &state);
+    const bool finite = std::isfinite(J.value[0]) && std::isfinite(state.energy_density[slot]);
+    const double measure = finite ? J.value[0] : -infinity;
+    if (measure < least) least = measure, worst = slot;
+  }
+  const Point x = particles_.current(worst);
+  const BodyRange& body = particles_.bodies[particles_.body_of(worst)];
+  throw SimulationError(fmt::format(
+      "unstable at time {:.6g} {}, step {}: particle {} of body \"{}\" at ({:.6g}, {:.6g}, {:.6g}): {} (det F = {:.3g}). Likely causes: a load or velocity "
+      "that the particles cannot resolve, too large a time step (try [solver] cfl = {:.2g}), or zero-energy modes (try stabilization "
+      "hourglass_stiffness with a larger alpha).",
+      time_, case_.general.units.name_of("s"), steps_, particles_.user_index[worst], body.name, x[0], x[1], x[2], cause,
+      particle_quantity("jacobian", worst, particles_, solid_, &state).value[0], 0.5 * case_.solver.cfl));
+}
+
+template FieldData SolidSimulation<2>::field(const std::string&);
+template FieldData SolidSimulation<3>::field(const std::string&);
+template Snapshot SolidSimulation<2>::snapshot(const std::vector<std::string>&);
+template Snapshot SolidSimulation<3>::snapshot(const std::vector<std::string>&);
+template std::string SolidSimulation<2>::state_hash() const;
+template std::string SolidSimulation<3>::state_hash() const;
+template SavedState SolidSimulation<2>::save() const;
+template SavedState SolidSimulation<3>::save() const;
+template void SolidSimulation<2>::restore(const SavedState&);
+template void SolidSimulation<3>::restore(const SavedState&);
+template void SolidSimulation<2>::check_state();
+template void SolidSimulation<3>::check_state();
+template void SolidSimulation<2>::fail(const std::string&);
+template void SolidSimulation<3>::fail(const std::string&);
+
+}  // namespace sinew

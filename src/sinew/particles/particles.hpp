@@ -1,0 +1,61 @@
+#pragma once
+/// The particles of all bodies in computing order. Each body starts on a full slice of eight; what is left of its last slice is
+/// padding: particles of no volume and no mass that see nobody.
+
+#include <sinew/particles/aligned_array.hpp>
+#include <sinew/particles/generate/point_set.hpp>
+#include <sinew/particles/rows.hpp>
+#include <string>
+#include <vector>
+
+namespace sinew {
+
+/// Slots [begin, end) of one body in computing order; `count` of them are particles, the rest padding.
+struct BodyRange {
+  std::string name;
+  int begin = 0, end = 0, count = 0;
+  double spacing = 0.0;  ///< nominal particle spacing [length]
+  double density = 0.0;  ///< reference mass density
+};
+
+template <int D>
+struct Particles {
+  int count = 0;                      ///< particles
+  int slots = 0;                      ///< places in computing order, a multiple of eight
+  std::vector<BodyRange> bodies;
+  AlignedArray<double> place;         ///< place rows: displacement u and reference position X [length]
+  AlignedArray<double> velocity;      ///< vector rows [length/time]
+  AlignedArray<double> acceleration;  ///< vector rows [length/time^2], of the last force evaluation
+  AlignedArray<double> volume;        ///< reference volume, per thickness in 2D [length^D]
+  AlignedArray<double> mass;          ///< [mass]; 0 for padding
+  std::vector<int> user_index;        ///< slot -> number in the user's order, -1 for padding
+  std::vector<int> slot_of;           ///< number in the user's order -> slot
+
+  double* place_row(int slot) { return place.data() + std::size_t(place_width<D>) * slot; }
+  const double* place_row(int slot) const { return place.data() + std::size_t(place_width<D>) * slot; }
+  double* velocity_row(int slot) { return velocity.data() + std::size_t(vector_width<D>) * slot; }
+  const double* velocity_row(int slot) const { return velocity.data() + std::size_t(vector_width<D>) * slot; }
+  const double* acceleration_row(int slot) const { return acceleration.data() + std::size_t(vector_width<D>) * slot; }
+
+  Point reference(int slot) const;  ///< X
+  Point current(int slot) const;    ///< x = X + u
+  int body_of(int slot) const;
+  std::size_t bytes() const;
+};
+
+/// What a body brings: its points, in the user's order, and the density that gives them mass.
+struct BodyPoints {
+  std::string name;
+  const PointSet* points;
+  double density;
+  double spacing;
+};
+
+/// Puts all bodies into computing order (rows of the arrangement, longest axis slowest). `thickness`: of a plane body, 1 in 3D.
+template <int D>
+Particles<D> make_particles(const std::vector<BodyPoints>& bodies, double thickness);
+
+extern template struct Particles<2>;
+extern template struct Particles<3>;
+
+}  // namespace sinew

@@ -1,0 +1,38 @@
+/// A step allocates nothing.
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+#include "run_case.hpp"
+
+namespace {
+std::atomic<long> allocations{0};
+}  // namespace
+
+void* operator new(std::size_t size) {
+  ++allocations;
+  if (void* p = std::malloc(size)) return p;
+  throw std::bad_alloc();
+}
+void operator delete(void* p) noexcept { std::free(p); }
+void operator delete(void* p, std::size_t) noexcept { std::free(p); }
+
+namespace sinew {
+namespace {
+
+using namespace sinew::testing;
+
+TEST(Allocation, AStepAllocatesNothing) {
+  const auto simulation = simulation_of(free_block(3, "[region]\nleft = { where = \"X < 0.2\" }\n[[boundary]]\nregion = \"left\"\nvelocity = [0, \"x*t\", 0]\n"
+                                                      "[body_force]\nacceleration = [0, 0, -9.81]\n"));
+  run_steps(*simulation, 3);
+  const long before = allocations;
+  run_steps(*simulation, 20);
+  EXPECT_EQ(allocations - before, 0);
+}
+
+}  // namespace
+}  // namespace sinew

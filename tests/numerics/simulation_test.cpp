@@ -1,0 +1,156 @@
+/// Whole runs: conservation, order in time, boundary conditions, loads, and ways to fail.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "run_case.hpp"
+
+namespace sinew {
+namespace {
+
+using namespace sinew::testing;
+
+std::string without_control(int dimension, const std::string& more = "") {
+  return free_block(dimension, more) + "[formulation]\nstabilization = []\n";
+}
+
+TEST(Simulation, MomentumStaysToRounding) {
+  for (int dimension : {2, 3}) {
+    const auto simulation = simulation_of(free_block(dimension));
+    const Momenta before = simulation->momenta();
+    run_steps(*simulation, 200);
+    const Momenta after = simulation->momenta();
+    EXPECT_LT(norm(after.linear - before.linear), 1e-12 * before.linear_scale);
+    EXPECT_LT(norm(after.angular - before.angular), 1e-11 * before.linear_scale);
+  }
+}
+
+/// Without hourglass stiffness the energy error is that of the leapfrog alone: it falls with the square of the step.
+TEST(Simulation, EnergyErrorFallsWithTheSquareOfTheStep) {
+  const auto error = [](double dt) {
+    const auto simulation = simulation_of(without_control(2, "time_step = " + std::to_string(dt) + "\n"));
+    double worst = 0.0;
+    while (simulation->time() < 0.02) {
+      simulation->step(1e300);
+      worst = std::max(worst, std::abs(simulation->energies().balance_error()));
+    }
+    return worst / simulation->energies().initial;
+  };
+  const double coarse = error(4e-4), fine = error(2e-4);
+  EXPECT_LT(coarse, 2e-3);
+  EXPECT_NEAR(std::log2(coarse / fine), 2.0, 0.3);
+}
+
+TEST(Simulation, TimeIntegrationIsOfSecondOrder) {
+  const auto tip = [](double dt) {
+    const auto simulation = simulation_of(without_control(2, "time_step = " + std::to_string(dt) + "\n"));
+    run_until(*simulation, 0.016);
+    return simulation->snapshot({}).position.back();
+  };
+  const Point exact = tip(2.5e-5);
+  const double coarse = norm(tip(4e-4) - exact), fine = norm(tip(2e-4) - exact);
+  EXPECT_NEAR(std::log2(coarse / fine), 2.0, 0.15);
+}
+
+TEST(Simulation, FreeFallIsExact) {
+  const auto simulation = simulation_of(free_block(2, "[body_force]\nacceleration = [0, -9.81]\n"));
+  const Momenta before = simulation->momenta();
+  double mass = 0.0;
+  for (const auto& body : simulation->facts().bodies) mass += body.mass;
+  run_until(*simulation, 0.05);
+  EXPECT_NEAR(simulation->momenta().linear[1] - before.linear[1], -9.81 * mass * 0.05, 1e-10);
+  EXPECT_LT(std::abs(simulation->energies().balance_error()), 2e-2 * simulation->energies().initial);
+}
+
+/// A body force that varies in time gives the momentum of its integral (trapezoidal rule in time, second order).
+TEST(Simulation, BodyForceOfPlaceAndTime) {
+  const auto simulation = simulation_of(free_block(2, "[body_force]\nacceleration = [\"if(X > 0, 100*t, 0)\", 0]\n"));
+  const Momenta before = simulation->momenta();
+  run_until(*simulation, 0.05);
+  EXPECT_NEAR(simulation->momenta().linear[0] - before.linear[0], 2.2 * 50.0 * 0.05 * 0.05, 1e-3 * 0.275);
+}
+
+std::string clamped_strip(const std::string& conditions) {
+  return "[case]\ndimension = 2\n[parameters]\nE = 1000.0\n[[body]]\nname = \"strip\"\nmaterial = \"steel\"\n"
+         "geometry = { shape = \"box\", low = [0, 0], high = [4, 1], spacing = 0.125 }\n"
+         "[material.steel]\nmodel = \"linear_elastic\"\nyoungs_modulus = \"E\"\npoissons_ratio = 0.0\ndensity = 1.0\n"
+         "[region]\nleft = { where = \"X < 0.125\" }\nright = { where = \"X > 3.875\" }\n"
+         "[[boundary]]\nregion = \"left\"\nvelocity = [0, 0]\n" + conditions +
+         "[solver]\nend_time = 2.0\ndamping = 20.0\n"
+         "[[probe]]\nname = \"u\"\nquantity = \"displacement\"\nregion = \"right\"\ncomponent = \"x\"\n"
+         "[[probe]]\nname = \"R\"\nquantity = \"reaction_force\"\nregion = \"left\"\ncomponent = \"x\"\n"
+         "[[probe]]\nname = \"w\"\nquantity = \"energy.external_work\"\n";
+}
+
+/// Pulled by a traction the strip comes to rest at u = sigma L / E, and its foot carries sigma times the section.
+void check_pull(const std::string& condition) {
+  const auto simulation = simulation_of(clamped_strip(condition));
+  run_until(*simulation, 2.0);
+  const std::vector<double> p = simulation->probe_values();
+  EXPECT_NEAR(p[0], 10.0 / 1000.0 * 3.75, 0.03 * 0.0375);  // from the middle of the first cells to that of the last
+  EXPECT_NEAR(p[1], -10.0, 0.02);
+}
+
+TEST(Simulation, TractionForceAndPressureAgree) {
+  check_pull("[[boundary]]\nregion = \"right\"\ntraction = [10.0, 0]\n");
+  check_pull("[[boundary]]\nregion = \"right\"\nforce = [10.0, 0]\n");
+  check_pull("[[boundary]]\nregion = \"right\"\npressure = -10.0\nnormal = [1, 0]\n");
+  check_pull("[[boundary]]\nregion = \"right\"\ntraction = [5.0, 0]\narea = 2.0\n");
+}
+
+TEST(Simulation, PrescribedDisplacementAndVelocityAgree) {
+  const auto by_displacement = simulation_of(clamped_strip("[[boundary]]\nregion = \"right\"\ndisplacement = [\"0.02*min(t, 1)\", \"free\"]\n"));
+  const auto by_velocity = simulation_of(clamped_strip("[[boundary]]\nregion = \"right\"\nvelocity = [\"if(t < 1, 0.02, 0)\", \"free\"]\n"));
+  for (const auto& simulation : {by_displacement.get(), by_velocity.get()}) {
+    run_until(*simulation, 2.0);
+    const std::vector<double> p = simulation->probe_values();
+    EXPECT_NEAR(p[0], 0.02, 1e-5);
+    EXPECT_NEAR(p[1], -1000.0 * 0.02 / 3.75, 0.03 * 5.3);
+    EXPECT_NEAR(p[2] - simulation->energies().dissipated, 0.5 * 0.02 * -p[1], 0.01 * 0.0533);
+  }
+}
+
+TEST(Simulation, LaterConditionsHoldAndAWarningSaysSo) {
+  const auto simulation = simulation_of(clamped_strip("[[boundary]]\nregion = \"left\"\nvelocity = [1.0, \"free\"]\n"));
+  simulation->step(1e300);
+  ASSERT_FALSE(simulation->facts().warnings.empty());
+  EXPECT_NE(simulation->facts().warnings.front().find("the last one in the file holds"), std::string::npos);
+  EXPECT_EQ(simulation->snapshot({"velocity"}).fields[0].values[0], 1.0);
+}
+
+TEST(Simulation, ABlowUpSaysWhenWhereAndWhy) {
+  const auto simulation = simulation_of(without_control(2, "time_step = 0.05\n"));
+  try {
+    run_steps(*simulation, 200);
+    FAIL() << "no error";
+  } catch (const SimulationError& error) {
+    const std::string text = error.what();
+    EXPECT_NE(text.find("unstable at time"), std::string::npos);
+    EXPECT_NE(text.find("particle"), std::string::npos);
+    EXPECT_NE(text.find("of body \"block\""), std::string::npos);
+    EXPECT_NE(text.find("try"), std::string::npos);
+  }
+}
+
+std::string message_of(const std::string& text) {
+  try {
+    simulation_of(text);
+  } catch (const CaseError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(Simulation, WrongModelsAreRefused) {
+  const std::string second = "[[body]]\nname = \"other\"\nmaterial = \"rubber\"\ngeometry = { shape = \"box\", low = [1.9, 0], high = [3, 1], spacing = 0.1 }\n";
+  EXPECT_NE(message_of(free_block(2) + second).find("body \"other\" overlaps body \"block\" at"), std::string::npos);
+  EXPECT_NE(message_of(free_block(2) + "[region]\nfar = { where = \"X > 7\" }\n").find("region \"far\" selects no particle. Particles have X from"),
+            std::string::npos);
+  std::string huge = free_block(3);
+  huge.replace(huge.find("spacing = 0.1"), 13, "spacing = 1e-5");
+  EXPECT_NE(message_of(huge).find("the memory of this machine is enough for about"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace sinew

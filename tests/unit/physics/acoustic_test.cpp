@@ -1,0 +1,94 @@
+#include <unit/physics/material_support.hpp>
+#include <unit/physics/random_states.hpp>
+#include <vector>
+
+namespace sinew {
+namespace {
+
+using namespace testing_support;
+
+/// A_iJkL N_J N_L.
+Mat3<double> acoustic_tensor(const Tangent<double>& A, const Vec3<double>& N) {
+  Mat3<double> Q;
+  for (int row = 0; row < 9; ++row)
+    for (int column = 0; column < 9; ++column) Q[row / 3][column / 3] += A[row][column] * N[row % 3] * N[column % 3];
+  return Q;
+}
+
+/// The largest eigenvalue of a symmetric matrix by Jacobi's rotations; unlike the closed form it is accurate for equal
+/// eigenvalues.
+double largest_eigenvalue(Mat3<double> a) {
+  for (int sweep = 0; sweep < 5; ++sweep)
+    for (const auto& [p, q] : {std::pair{0, 1}, std::pair{0, 2}, std::pair{1, 2}}) {
+      if (a[p][q] == 0.0) continue;
+      const double angle = 0.5 * std::atan2(2.0 * a[p][q], a[q][q] - a[p][p]);
+      Mat3<double> rotation = Mat3<double>::identity();
+      rotation[p][p] = rotation[q][q] = std::cos(angle);
+      rotation[p][q] = std::sin(angle);
+      rotation[q][p] = -std::sin(angle);
+      a = transpose(rotation) * a * rotation;
+      a[p][q] = a[q][p] = 0.0;
+    }
+  return std::max({a[0][0], a[1][1], a[2][2]});
+}
+
+TEST(LargestEigenvalueBound, IsNeverBelowAndNearlyExact) {
+  std::mt19937_64 random(4);
+  std::uniform_real_distribution<double> entry(-1.0, 1.0);
+  for (int trial = 0; trial < 2000; ++trial) {
+    Mat3<double> a;
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j <= i; ++j) a[i][j] = a[j][i] = entry(random);
+    const double size = std::sqrt(double_dot(a, a)), exact = largest_eigenvalue(a);
+    EXPECT_GE(largest_eigenvalue_bound(a), exact - 1e-14 * size);
+    EXPECT_LE(largest_eigenvalue_bound(a), exact + 0.13 * size);
+  }
+}
+
+TEST(LargestEigenvalueBound, KnownSpectra) {
+  const auto of = [](double x, double y, double z) {
+    return largest_eigenvalue_bound(Mat3<double>{{{x, 0, 0}, {0, y, 0}, {0, 0, z}}});
+  };
+  EXPECT_DOUBLE_EQ(of(2, 2, 2), 2.0);
+  EXPECT_DOUBLE_EQ(of(1, 5, 1), 5.0);
+  EXPECT_EQ(of(0, 0, 0), 0.0);
+  EXPECT_GE(of(5, 1, 5), 5.0);
+  EXPECT_LE(of(5, 1, 5), 5.4);
+}
+
+template <class Material>
+class AcousticStiffness : public ::testing::Test {};
+TYPED_TEST_SUITE(AcousticStiffness, MaterialTypes, MaterialNames);
+
+/// Compares with the largest value over 2000 directions at 200 random deformations, for a compressible and a nearly
+/// incompressible solid.
+TYPED_TEST(AcousticStiffness, BoundsTheAcousticTensorTightly) {
+  std::mt19937_64 random(23);
+  std::vector<Vec3<double>> directions;
+  for (int k = 0; k < 2000; ++k) directions.push_back(random_direction(random));
+  double loosest = 0.0;
+  for (const double lambda : {1.2, 40.0}) {
+    const auto material = with_lame<TypeParam>(lambda, 0.8);
+    for (int trial = 0; trial < 100; ++trial) {
+      const Mat3<double> F = random_gradient(random, trial % 2 == 0 ? 0.2 : 0.6);
+      const Tangent<double> A = material.tangent(F);
+      double sampled = -1e300;
+      for (const Vec3<double>& N : directions) sampled = std::max(sampled, largest_eigenvalue(acoustic_tensor(A, N)));
+      const double bound = material.acoustic_stiffness(F);
+      EXPECT_GE(bound, sampled - 1e-12 * std::sqrt(double_dot(A, A)));
+      EXPECT_LE(bound, sampled * 2.5) << "J = " << determinant(F);
+      loosest = std::max(loosest, bound / sampled);
+    }
+  }
+  this->RecordProperty("loosest", std::to_string(loosest));
+}
+
+TYPED_TEST(AcousticStiffness, IsTheModulusOfPlaneWavesInTheReference) {
+  for (const double lambda : {-0.3, 1.2, 40.0}) {
+    const auto material = with_lame<TypeParam>(lambda, 0.8);
+    EXPECT_NEAR(material.acoustic_stiffness(Mat3<double>::identity()), lambda + 1.6, 1e-12 * (lambda + 1.6));
+  }
+}
+
+}  // namespace
+}  // namespace sinew
