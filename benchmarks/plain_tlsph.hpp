@@ -59,11 +59,13 @@ class Solver {
  private:
   double value(double r) const {
     const double q = c.radius - r, R = c.radius;
-    return D == 3 ? 15.0 / (std::numbers::pi * R * R * R * R * R * R) * q * q * q : 10.0 / (std::numbers::pi * R * R * R * R * R) * q * q * q;
+    return D == 3 ? 15.0 / (std::numbers::pi * R * R * R * R * R * R) * q * q * q
+                  : 10.0 / (std::numbers::pi * R * R * R * R * R) * q * q * q;
   }
   double slope(double r) const {
     const double q = c.radius - r, R = c.radius;
-    return D == 3 ? -45.0 / (std::numbers::pi * R * R * R * R * R * R) * q * q : -30.0 / (std::numbers::pi * R * R * R * R * R) * q * q;
+    return D == 3 ? -45.0 / (std::numbers::pi * R * R * R * R * R * R) * q * q
+                  : -30.0 / (std::numbers::pi * R * R * R * R * R) * q * q;
   }
 
   void compute_stress(std::size_t i) {

@@ -26,8 +26,10 @@ namespace {
 using namespace sinew::testing;
 
 TEST(Allocation, AStepAllocatesNothing) {
-  const auto simulation = simulation_of(free_block(3, "[region]\nleft = { where = \"X < 0.2\" }\n[[boundary]]\nregion = \"left\"\nvelocity = [0, \"x*t\", 0]\n"
-                                                      "[body_force]\nacceleration = [0, 0, -9.81]\n"));
+  const auto simulation = simulation_of(
+      free_block(3,
+                 "[region]\nleft = { where = \"X < 0.2\" }\n[[boundary]]\nregion = \"left\"\nvelocity = [0, \"x*t\", 0]\n"
+                 "[body_force]\nacceleration = [0, 0, -9.81]\n"));
   run_steps(*simulation, 3);
   const long before = allocations;
   run_steps(*simulation, 20);

@@ -80,7 +80,8 @@ Material material_with(double density, double youngs_modulus, double poissons_ra
 }
 
 template <int D>
-TotalLagrangianOptions options(AnyMaterial material, int bodies = 1, AnyKernel kernel = Spiky{}, AnyCorrection correction = GradientCorrection{}) {
+TotalLagrangianOptions options(AnyMaterial material, int bodies = 1, AnyKernel kernel = Spiky{},
+                               AnyCorrection correction = GradientCorrection{}) {
   return {kernel, correction, HourglassStiffness{}, std::vector<AnyMaterial>(bodies, material), false, 1.0};
 }
 

@@ -54,10 +54,11 @@ TEST(Determinism, ChunksOfOneStreamDoNotMeet) {
 }
 
 TEST(Determinism, RestartGivesTheBitsOfARunThatNeverStopped) {
-  const std::string text = free_block(2, "damping = 0.5\n[region]\nleft = { where = \"X < 0.2\" }\ntop = { where = \"Y > 0.95\" }\n"
-                                         "[[boundary]]\nregion = \"left\"\nvelocity = [\"0.1*sin(50*t)\", 0]\n"
-                                         "[[boundary]]\nregion = \"top\"\ntraction = [0, \"5*t\"]\n"
-                                         "[body_force]\nacceleration = [0, -9.81]\n");
+  const std::string text = free_block(2,
+                                      "damping = 0.5\n[region]\nleft = { where = \"X < 0.2\" }\ntop = { where = \"Y > 0.95\" }\n"
+                                      "[[boundary]]\nregion = \"left\"\nvelocity = [\"0.1*sin(50*t)\", 0]\n"
+                                      "[[boundary]]\nregion = \"top\"\ntraction = [0, \"5*t\"]\n"
+                                      "[body_force]\nacceleration = [0, -9.81]\n");
   const auto whole = simulation_of(text), first = simulation_of(text), second = simulation_of(text);
   run_steps(*whole, 40);
   run_steps(*first, 17);

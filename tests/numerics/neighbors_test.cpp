@@ -80,7 +80,8 @@ TEST(Particles, MassAndVolumeAreThoseOfThePoints) {
   for (const PointSet& points : cloud.bodies)
     for (double v : points.volume) volume += v;
   EXPECT_NEAR(mass, 1.3 * volume, 1e-12 * mass);
-  for (int user = 0; user < cloud.particles.count; ++user) EXPECT_EQ(cloud.particles.user_index[cloud.particles.slot_of[user]], user);
+  for (int user = 0; user < cloud.particles.count; ++user)
+    EXPECT_EQ(cloud.particles.user_index[cloud.particles.slot_of[user]], user);
 }
 
 }  // namespace

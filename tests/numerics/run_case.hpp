@@ -6,7 +6,9 @@
 
 namespace sinew::testing {
 
-inline std::unique_ptr<Simulation> simulation_of(const std::string& text) { return Simulation::build(make_case(read_toml_text(text, "case.toml"), ".")); }
+inline std::unique_ptr<Simulation> simulation_of(const std::string& text) {
+  return Simulation::build(make_case(read_toml_text(text, "case.toml"), "."));
+}
 
 inline void run_steps(Simulation& simulation, int steps) {
   for (int k = 0; k < steps; ++k) simulation.step(1e300);
@@ -20,7 +22,8 @@ inline std::string free_block(int dimension, const std::string& more = "") {
   const bool space = dimension == 3;
   return std::string("[case]\ndimension = ") + (space ? "3" : "2") +
          "\n[[body]]\nname = \"block\"\nmaterial = \"rubber\"\n"
-         "geometry = { shape = \"box\", low = " + (space ? "[0, 0, 0], high = [1, 0.6, 0.6]" : "[0, 0], high = [2, 1.1]") +
+         "geometry = { shape = \"box\", low = " +
+         (space ? "[0, 0, 0], high = [1, 0.6, 0.6]" : "[0, 0], high = [2, 1.1]") +
          ", spacing = 0.1, jitter = 0.2 }\n"
          "[material.rubber]\nmodel = \"neo_hookean\"\nyoungs_modulus = 1000.0\npoissons_ratio = 0.4\ndensity = 1.0\n"
          "[[initial]]\nregion = \"block\"\nvelocity = " +

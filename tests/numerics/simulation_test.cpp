@@ -76,7 +76,8 @@ std::string clamped_strip(const std::string& conditions) {
          "geometry = { shape = \"box\", low = [0, 0], high = [4, 1], spacing = 0.125 }\n"
          "[material.steel]\nmodel = \"linear_elastic\"\nyoungs_modulus = \"E\"\npoissons_ratio = 0.0\ndensity = 1.0\n"
          "[region]\nleft = { where = \"X < 0.125\" }\nright = { where = \"X > 3.875\" }\n"
-         "[[boundary]]\nregion = \"left\"\nvelocity = [0, 0]\n" + conditions +
+         "[[boundary]]\nregion = \"left\"\nvelocity = [0, 0]\n" +
+         conditions +
          "[solver]\nend_time = 2.0\ndamping = 20.0\n"
          "[[probe]]\nname = \"u\"\nquantity = \"displacement\"\nregion = \"right\"\ncomponent = \"x\"\n"
          "[[probe]]\nname = \"R\"\nquantity = \"reaction_force\"\nregion = \"left\"\ncomponent = \"x\"\n"
@@ -100,8 +101,10 @@ TEST(Simulation, TractionForceAndPressureAgree) {
 }
 
 TEST(Simulation, PrescribedDisplacementAndVelocityAgree) {
-  const auto by_displacement = simulation_of(clamped_strip("[[boundary]]\nregion = \"right\"\ndisplacement = [\"0.02*min(t, 1)\", \"free\"]\n"));
-  const auto by_velocity = simulation_of(clamped_strip("[[boundary]]\nregion = \"right\"\nvelocity = [\"if(t < 1, 0.02, 0)\", \"free\"]\n"));
+  const auto by_displacement =
+      simulation_of(clamped_strip("[[boundary]]\nregion = \"right\"\ndisplacement = [\"0.02*min(t, 1)\", \"free\"]\n"));
+  const auto by_velocity =
+      simulation_of(clamped_strip("[[boundary]]\nregion = \"right\"\nvelocity = [\"if(t < 1, 0.02, 0)\", \"free\"]\n"));
   for (const auto& simulation : {by_displacement.get(), by_velocity.get()}) {
     run_until(*simulation, 2.0);
     const std::vector<double> p = simulation->probe_values();
@@ -143,9 +146,12 @@ std::string message_of(const std::string& text) {
 }
 
 TEST(Simulation, WrongModelsAreRefused) {
-  const std::string second = "[[body]]\nname = \"other\"\nmaterial = \"rubber\"\ngeometry = { shape = \"box\", low = [1.9, 0], high = [3, 1], spacing = 0.1 }\n";
+  const std::string second =
+      "[[body]]\nname = \"other\"\nmaterial = \"rubber\"\ngeometry = { shape = \"box\", low = [1.9, 0], high = [3, 1], spacing = "
+      "0.1 }\n";
   EXPECT_NE(message_of(free_block(2) + second).find("body \"other\" overlaps body \"block\" at"), std::string::npos);
-  EXPECT_NE(message_of(free_block(2) + "[region]\nfar = { where = \"X > 7\" }\n").find("region \"far\" selects no particle. Particles have X from"),
+  EXPECT_NE(message_of(free_block(2) + "[region]\nfar = { where = \"X > 7\" }\n")
+                .find("region \"far\" selects no particle. Particles have X from"),
             std::string::npos);
   std::string huge = free_block(3);
   huge.replace(huge.find("spacing = 0.1"), 13, "spacing = 1e-5");

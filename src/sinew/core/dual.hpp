@@ -37,9 +37,13 @@ SINEW_INLINE Dual<T> select(const Mask& mask, const Dual<T>& yes, const Dual<T>&
   return {select(mask, yes.value, no.value), select(mask, yes.slope, no.slope)};
 }
 template <class T>
-SINEW_INLINE Dual<T> min(const Dual<T>& a, const Dual<T>& b) { return select(b < a, b, a); }
+SINEW_INLINE Dual<T> min(const Dual<T>& a, const Dual<T>& b) {
+  return select(b < a, b, a);
+}
 template <class T>
-SINEW_INLINE Dual<T> max(const Dual<T>& a, const Dual<T>& b) { return select(a < b, b, a); }
+SINEW_INLINE Dual<T> max(const Dual<T>& a, const Dual<T>& b) {
+  return select(a < b, b, a);
+}
 
 template <class T>
 SINEW_INLINE Dual<T> sqrt(const Dual<T>& a) {

@@ -78,9 +78,7 @@ SINEW_INLINE double smallest(Pack a) {
 }
 SINEW_INLINE double largest(Pack a) { return -smallest(-a); }
 /// Sum over the lanes in a fixed order.
-SINEW_INLINE double sum(Pack a) {
-  return ((a[0] + a[1]) + (a[2] + a[3])) + ((a[4] + a[5]) + (a[6] + a[7]));
-}
+SINEW_INLINE double sum(Pack a) { return ((a[0] + a[1]) + (a[2] + a[3])) + ((a[4] + a[5]) + (a[6] + a[7])); }
 
 // --- functions ----------------------------------------------------------------------------------------------
 
@@ -108,7 +106,8 @@ SINEW_INLINE Pack log(Pack x) {
   const Pack t2 = z * (w * (w * (w * Pack(1.479819860511658591e-01) + 1.818357216161805012e-01) + 2.857142874366239149e-01) +
                        6.666666666666735130e-01);
   const Pack half_square = 0.5 * f * f;
-  const Pack r = k * 1.90821492927058770002e-10 + (s * (half_square + (t1 + t2)) - half_square + f) + k * 6.93147180369123816490e-01;
+  const Pack r =
+      k * 1.90821492927058770002e-10 + (s * (half_square + (t1 + t2)) - half_square + f) + k * 6.93147180369123816490e-01;
   const Pack bad = select(x < Pack(0.0), Pack(std::nan("")), Pack(-INFINITY));
   return select(x > Pack(0.0), r, select(x <= Pack(0.0), bad, x));
 }

@@ -22,9 +22,7 @@ struct Range {
   bool low_open = false, high_open = false;
   std::string_view text = "any number";
 
-  constexpr bool contains(double v) const {
-    return (low_open ? v > low : v >= low) && (high_open ? v < high : v <= high);
-  }
+  constexpr bool contains(double v) const { return (low_open ? v > low : v >= low) && (high_open ? v < high : v <= high); }
 };
 
 inline constexpr double infinity = std::numeric_limits<double>::infinity();

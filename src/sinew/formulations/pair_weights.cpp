@@ -20,7 +20,7 @@ Vec<double, D> reference_of(const Particles<D>& particles, int slot) {
 template <int D>
 struct RowSums {
   Moments<D> moments;
-  double nearest = infinity, stiffness = 0.0;
+  double nearest = infinity;
 };
 
 /// Calls use(place in the arrays, j, X_ij, r) for the neighbors of one particle.
@@ -45,29 +45,36 @@ RowSums<D> row_sums(const Particles<D>& particles, const PairList& list, int slo
     sums.moments.shepard_sum += V * W;
     sums.moments.gradient_sum += base;
     sums.moments.first += outer(X, base);
-    sums.stiffness += V * W / (r * r);
     sums.nearest = std::min(sums.nearest, r);
   });
   return sums;
 }
 
 template <int D>
-[[noreturn]] void too_few_neighbors(const Particles<D>& particles, const PairList& list, int slot, const std::string& correction) {
+[[noreturn]] void too_few_neighbors(const Particles<D>& particles, const PairList& list, int slot,
+                                    const std::string& correction) {
   const Point X = particles.reference(slot);
   char place[96];
   std::snprintf(place, sizeof place, "(%.6g, %.6g, %.6g)", X[0], X[1], X[2]);
-  throw CaseError("body \"" + particles.bodies[particles.body_of(slot)].name + "\": particle " +
-                  std::to_string(particles.user_index[slot]) + " at " + place + " has " + std::to_string(list.neighbor_count[slot]) +
-                  " neighbors, too few (or all in one line) to correct its gradient. Make [formulation] support larger or spacing smaller, "
-                  "fill the shape there, or choose another correction than \"" + correction + "\".");
+  throw CaseError(
+      "body \"" + particles.bodies[particles.body_of(slot)].name + "\": particle " + std::to_string(particles.user_index[slot]) +
+      " at " + place + " has " + std::to_string(list.neighbor_count[slot]) +
+      " neighbors, too few (or all in one line) to correct its gradient. Make [formulation] support larger or spacing smaller, "
+      "fill the shape there, or choose another correction than \"" +
+      correction + "\".");
 }
 
+/// Writes the weights of the pairs of one particle and returns the sum of the hourglass weights. `scale`: of a_ij in the hourglass weight;
+/// 0 for the central form, which uses W_ij.
 template <int D, class Kernel, class Correction>
-void fill_row(const Particles<D>& particles, const PairList& list, int slot, double radius, const GradientMap<D>& map, PairWeights<D>& w) {
+double fill_row(const Particles<D>& particles, const PairList& list, int slot, double radius, const GradientMap<D>& map,
+                double scale, PairWeights<D>& w) {
+  double sum = 0.0;
   for_each_neighbor(particles, list, slot, [&](std::size_t at, int j, const Vec<double, D>& X, double r) {
     const double V = particles.volume[j], W = Kernel::template value<D>(r, radius);
     const double a = -Kernel::template slope<D>(r, radius) / r;
-    w.stiffness[at] = V * W / (r * r);
+    w.stiffness[at] = scale > 0.0 ? V * a * scale : V * W / (r * r);
+    sum += w.stiffness[at];
     if constexpr (Correction::radial) {
       w.gradient[at] = V * map.scale * a;
     } else {
@@ -75,6 +82,7 @@ void fill_row(const Particles<D>& particles, const PairList& list, int slot, dou
       for (int c = 0; c < D; ++c) w.gradient[lanes * (at / lanes * D + c) + at % lanes] = g[c];
     }
   });
+  return sum;
 }
 
 template <int D>
@@ -88,7 +96,7 @@ void store_correction(const Mat<double, D>& L, int slot, PairWeights<D>& w) {
 
 template <int D>
 PairWeights<D> make_pair_weights(const Particles<D>& particles, const PairList& list, const std::vector<double>& support_radius,
-                                 const AnyKernel& kernel, const AnyCorrection& correction) {
+                                 const AnyKernel& kernel, const AnyCorrection& correction, HourglassWeight hourglass) {
   PairWeights<D> w;
   w.radial = std::visit([](const auto& c) { return c.radial; }, correction);
   w.gradient = AlignedArray<double>(list.entries() * lanes * (w.radial ? 1 : D));
@@ -106,10 +114,11 @@ PairWeights<D> make_pair_weights(const Particles<D>& particles, const PairList& 
           const GradientMap<D> map = c.map(sums.moments);
           if (!map.valid) bad = std::min(bad, slot);
           store_correction(map.L, slot, w);
-          fill_row<D, Kernel, Correction>(particles, list, slot, support_radius[slot], map, w);
+          const double second_moment = trace(sums.moments.first);
+          const double scale = hourglass == HourglassWeight::conservative && second_moment > 0.0 ? 1.0 / second_moment : 0.0;
+          w.stiffness_sum[slot] = fill_row<D, Kernel, Correction>(particles, list, slot, support_radius[slot], map, scale, w);
           const double length = std::min(sums.nearest, std::pow(particles.volume[slot], 1.0 / D));
           w.inverse_length2[slot] = 1.0 / (length * length);
-          w.stiffness_sum[slot] = sums.stiffness;
         }
       },
       kernel, correction);
@@ -119,8 +128,8 @@ PairWeights<D> make_pair_weights(const Particles<D>& particles, const PairList& 
 }
 
 template PairWeights<2> make_pair_weights<2>(const Particles<2>&, const PairList&, const std::vector<double>&, const AnyKernel&,
-                                             const AnyCorrection&);
+                                             const AnyCorrection&, HourglassWeight);
 template PairWeights<3> make_pair_weights<3>(const Particles<3>&, const PairList&, const std::vector<double>&, const AnyKernel&,
-                                             const AnyCorrection&);
+                                             const AnyCorrection&, HourglassWeight);
 
 }  // namespace sinew

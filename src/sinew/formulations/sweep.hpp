@@ -36,6 +36,22 @@ struct StoredGradient {
   SINEW_INLINE Mat<Pack, D> matrix(int) const { return Mat<Pack, D>::identity(); }
 };
 
+/// No hourglass force.
+struct NoHourglass {};
+/// The two forms of HourglassStiffness.
+struct ConservativeHourglass {
+  template <int D>
+  static SINEW_INLINE auto share(const Mat<Pack, D>& F, const PairPack<D>& pair, const Pack& weight) {
+    return HourglassStiffness::conservative_share(F, pair.X, pair.X + pair.u, weight);
+  }
+};
+struct CentralHourglass {
+  template <int D>
+  static SINEW_INLINE auto share(const Mat<Pack, D>& F, const PairPack<D>& pair, const Pack& weight) {
+    return HourglassStiffness::central_share(F, pair.X, pair.X + pair.u, weight);
+  }
+};
+
 /// F of eight particles.
 template <int D, class Gradient>
 SINEW_INLINE Mat<Pack, D> deformation_gradient(const PairList& list, const double* places, int slice, const PlacePack<D>& own,
@@ -63,7 +79,8 @@ SINEW_INLINE Mat3<Pack> in_three_dimensions(const Material& material, const Mat<
 }
 
 /// Keeps what `record` asks for, lane after lane.
-inline void keep(RecordedState& state, int slice, const Mat3<Pack>& F, const Response<Pack, NoState>& response, const Pack& error2) {
+inline void keep(RecordedState& state, int slice, const Mat3<Pack>& F, const Response<Pack, NoState>& response,
+                 const Pack& error2) {
   for (int k = 0; k < lanes; ++k) {
     const std::size_t slot = std::size_t(lanes) * slice + k;
     for (int i = 0; i < 3; ++i)
@@ -76,7 +93,7 @@ inline void keep(RecordedState& state, int slice, const Mat3<Pack>& F, const Res
   }
 }
 
-template <int D, class Gradient, class Material, bool hourglass, bool recording>
+template <int D, class Hourglass, bool recording, class Gradient, class Material>
 ForceSummary sweep_chunk(const SweepTask<D>& task, const Gradient& gradient, const Material& material) {
   const PairList& list = task.list;
   const double* places = task.particles.place.data();
@@ -91,16 +108,16 @@ ForceSummary sweep_chunk(const SweepTask<D>& task, const Gradient& gradient, con
     const Pack volume = Pack::load(task.particles.volume.data() + lanes * slice) * task.scalars.thickness;
     energy += volume * response.energy;
     jacobian = min(jacobian, determinant(F3));
-    rate2 = max(rate2, bulk_law(material).acoustic_stiffness(F3) * Pack::load(task.weights.inverse_length2.data() + lanes * slice));
+    rate2 =
+        max(rate2, bulk_law(material).acoustic_stiffness(F3) * Pack::load(task.weights.inverse_length2.data() + lanes * slice));
 
     // the share of i of each pair force is linear in its stress and in its deformation gradient
     const Mat<Pack, D> Q = (volume * in_plane<D>(response.P)) * L;
     const Pack stiffness = volume * task.scalars.hourglass;
     exchange_pairs<D>(list, places, slice, own, task.force_rows, [&](const PairPack<D>& pair) {
       Vec<Pack, D> t = Q * gradient(pair);
-      if constexpr (hourglass) {
-        const Pack weight = stiffness * Pack::load(task.weights.stiffness.data() + lanes * pair.entry);
-        const auto share = HourglassStiffness::pair_share(F, pair.X, pair.X + pair.u, weight);
+      if constexpr (!std::is_same_v<Hourglass, NoHourglass>) {
+        const auto share = Hourglass::share(F, pair, stiffness * Pack::load(task.weights.stiffness.data() + lanes * pair.entry));
         hourglass_energy += share.energy;
         t += share.force;
       }
@@ -122,11 +139,14 @@ ForceSummary sweep_chunk(const SweepTask<D>& task, const Gradient& gradient, con
 /// Chooses the sweep for what a case combines. One choice a chunk, outside of all loops.
 template <int D, class Material>
 ForceSummary sweep_chunk_of(const SweepTask<D>& task, const Material& material) {
+  auto with = [&]<class Hourglass>(const auto& gradient) {
+    if (task.record) return sweep_chunk<D, Hourglass, true>(task, gradient, material);
+    return sweep_chunk<D, Hourglass, false>(task, gradient, material);
+  };
   auto choose = [&](const auto& gradient) {
-    using Gradient = std::decay_t<decltype(gradient)>;
-    if (task.record) return sweep_chunk<D, Gradient, Material, true, true>(task, gradient, material);
-    if (task.scalars.hourglass > 0.0) return sweep_chunk<D, Gradient, Material, true, false>(task, gradient, material);
-    return sweep_chunk<D, Gradient, Material, false, false>(task, gradient, material);
+    if (task.scalars.hourglass == 0.0) return with.template operator()<NoHourglass>(gradient);
+    if (task.scalars.conservative) return with.template operator()<ConservativeHourglass>(gradient);
+    return with.template operator()<CentralHourglass>(gradient);
   };
   if (task.weights.radial) return choose(RadialGradient<D>{task.weights.gradient.data(), task.weights.correction.data()});
   return choose(StoredGradient<D>{task.weights.gradient.data()});

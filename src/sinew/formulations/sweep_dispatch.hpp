@@ -8,7 +8,8 @@ namespace sinew {
 /// What a sweep needs to know of the body of a chunk.
 struct SweepScalars {
   double density, thickness;
-  double hourglass;  ///< coefficient times Young's modulus; 0 without
+  double hourglass;   ///< coefficient times Young's modulus; 0 without
+  bool conservative;  ///< which form of hourglass force
 };
 
 /// Everything that one sweep over a chunk reads and writes.

@@ -15,8 +15,8 @@ double youngs_modulus_of(const AnyMaterial& material) {
   return std::visit([](const auto& m) { return m.elastic.youngs_modulus; }, material);
 }
 
-/// 2 / omega of the stiffest hourglass mode, omega^2 <= 4 c E / (rho D) sum_j V_j W_ij / r_ij^2 with c the coefficient of the share of one
-/// particle: each pair has the shares of both ends along its line, and a mode moves both ends.
+/// 2 / omega of the stiffest hourglass mode. Each pair has the shares of both ends, and a mode may move both ends against each other:
+/// omega^2 <= 4 c E / rho sum_j w_ij, c the coefficient and w_ij the weights; only 1/D of it where the force is along the pair.
 template <int D>
 double hourglass_limit(const Particles<D>& particles, const PairWeights<D>& weights, const TotalLagrangianOptions& options) {
   double omega2 = 0.0;
@@ -24,18 +24,25 @@ double hourglass_limit(const Particles<D>& particles, const PairWeights<D>& weig
     const BodyRange& body = particles.bodies[b];
     const double most = *std::max_element(weights.stiffness_sum.begin() + body.begin, weights.stiffness_sum.begin() + body.end);
     const AnyMaterial& material = options.materials[b];
-    omega2 = std::max(omega2, 4.0 * options.hourglass->coefficient() * youngs_modulus_of(material) / (density_of(material) * D) * most);
+    const double stiffness = options.hourglass->coefficient() * youngs_modulus_of(material) * most;
+    omega2 = std::max(omega2, 4.0 * stiffness / density_of(material) / (options.hourglass->conservative() ? 1.0 : D));
   }
   return omega2 > 0.0 ? 2.0 / std::sqrt(omega2) : infinity;
+}
+
+HourglassWeight weight_of(const std::optional<HourglassStiffness>& hourglass) {
+  return hourglass && !hourglass->conservative() ? HourglassWeight::central : HourglassWeight::conservative;
 }
 
 }  // namespace
 
 template <int D>
-TotalLagrangian<D>::TotalLagrangian(const Particles<D>& particles, const std::vector<double>& support_radius, TotalLagrangianOptions options)
+TotalLagrangian<D>::TotalLagrangian(const Particles<D>& particles, const std::vector<double>& support_radius,
+                                    TotalLagrangianOptions options)
     : options_(std::move(options)),
       list_(build_pair_list(particles, support_radius)),
-      weights_(make_pair_weights(particles, list_, support_radius, options_.kernel, options_.correction)),
+      weights_(make_pair_weights(particles, list_, support_radius, options_.kernel, options_.correction,
+                                 weight_of(options_.hourglass))),
       chunks_(make_chunks(particles, list_)),
       chunk_summaries_(chunks_.size()) {
   if (options_.hourglass) hourglass_time_step_ = hourglass_limit(particles, weights_, options_);
@@ -46,9 +53,11 @@ ForceSummary TotalLagrangian<D>::sweep(const Particles<D>& particles, ForceStrea
   for_each_chunk(chunks_, [&](const Chunk& chunk, int number) {
     const AnyMaterial& material = options_.materials[chunk.body];
     const double hourglass = options_.hourglass ? options_.hourglass->coefficient() * youngs_modulus_of(material) : 0.0;
-    const SweepScalars scalars{density_of(material), options_.thickness, hourglass};
-    chunk_summaries_[number] = sweep_any_chunk<D>({chunk, list_, particles, weights_, scalars, forces.stream[chunk.stream].data(), record},
-                                                  material, options_.plane_stress);
+    const SweepScalars scalars{density_of(material), options_.thickness, hourglass,
+                               options_.hourglass && options_.hourglass->conservative()};
+    chunk_summaries_[number] =
+        sweep_any_chunk<D>({chunk, list_, particles, weights_, scalars, forces.stream[chunk.stream].data(), record}, material,
+                           options_.plane_stress);
   });
   ForceSummary total;
   for (const ForceSummary& part : chunk_summaries_) {

@@ -29,9 +29,12 @@ struct RecordedState {
   AlignedArray<double> deformation_gradient;  ///< slot after slot, 9 components, row-major
   AlignedArray<double> stress;                ///< first Piola-Kirchhoff, likewise
   AlignedArray<double> energy_density;
-  AlignedArray<double> hourglass_error;       ///< largest |F X - x| / |X| over the neighbors
+  AlignedArray<double> hourglass_error;  ///< largest |F X - x| / |X| over the neighbors
   explicit RecordedState(int slots)
-      : deformation_gradient(9 * std::size_t(slots)), stress(9 * std::size_t(slots)), energy_density(slots), hourglass_error(slots) {}
+      : deformation_gradient(9 * std::size_t(slots)),
+        stress(9 * std::size_t(slots)),
+        energy_density(slots),
+        hourglass_error(slots) {}
 };
 
 struct TotalLagrangianOptions {
@@ -70,8 +73,8 @@ class TotalLagrangian {
   PairWeights<D> weights_;
   std::vector<Chunk> chunks_;
   double hourglass_time_step_ = infinity;
-  mutable std::vector<ForceSummary> chunk_summaries_;                ///< scratch, one a chunk
-  mutable std::unique_ptr<ForceStreams<D>> unused_forces_;           ///< scratch of `record`
+  mutable std::vector<ForceSummary> chunk_summaries_;       ///< scratch, one a chunk
+  mutable std::unique_ptr<ForceStreams<D>> unused_forces_;  ///< scratch of `record`
 };
 
 extern template class TotalLagrangian<2>;

@@ -33,9 +33,11 @@ void check_overlap(const Case& c, const std::vector<GeneratedBody>& bodies) {
       const double limit = 0.5 * std::min(bodies[a].spacing, bodies[b].spacing);
       for (const Point& p : bodies[b].points.position)
         cells.for_each_within(p, limit, [&](int, double r2) {
-          throw CaseError(c.bodies[b].place, fmt::format("body \"{}\" overlaps body \"{}\" at ({:.6g}, {:.6g}, {:.6g}), where two of their particles "
-                                                         "are only {:.3g} apart. Move them apart, or make one body of the two.",
-                                                         c.bodies[b].name, c.bodies[a].name, p[0], p[1], p[2], std::sqrt(r2)));
+          throw CaseError(
+              c.bodies[b].place,
+              fmt::format("body \"{}\" overlaps body \"{}\" at ({:.6g}, {:.6g}, {:.6g}), where two of their particles "
+                          "are only {:.3g} apart. Move them apart, or make one body of the two.",
+                          c.bodies[b].name, c.bodies[a].name, p[0], p[1], p[2], std::sqrt(r2)));
         });
     }
   }
@@ -59,7 +61,8 @@ std::vector<GeneratedBody> generate_bodies(const Case& c) {
     const GenerateOptions options{c.general.dimension, c.folder, body.geometry_place, most};
     GeneratedBody made{std::visit([&](const auto& g) { return g.generate(options); }, body.geometry), 0.0};
     if (made.points.size() == 0)
-      throw CaseError(body.geometry_place, fmt::format("body \"{}\" has no particles. Make its spacing smaller than its shape.", body.name));
+      throw CaseError(body.geometry_place,
+                      fmt::format("body \"{}\" has no particles. Make its spacing smaller than its shape.", body.name));
     made.spacing = mean_spacing(made.points, c.general.dimension);
     particles += static_cast<double>(made.points.size());
     bodies.push_back(std::move(made));

@@ -13,7 +13,9 @@ FieldFunction field_function(const Expression& expression) {
   return {[expression](const Point& X, const Point& x, double t) { return expression(X, x, t); }, expression.depends_on_place()};
 }
 
-bool is_motion(BoundaryCase::Kind kind) { return kind == BoundaryCase::Kind::displacement || kind == BoundaryCase::Kind::velocity; }
+bool is_motion(BoundaryCase::Kind kind) {
+  return kind == BoundaryCase::Kind::displacement || kind == BoundaryCase::Kind::velocity;
+}
 
 /// Unit vector away from the neighbors of a particle, by the hourglass weights of its pairs.
 template <int D>
@@ -49,8 +51,8 @@ std::vector<double> areas(const BoundaryCase& b, const std::vector<int>& slots, 
 
 /// A pressure p on an area with outward normal N is the force -p N A; component by component.
 template <int D>
-void add_pressure(const BoundaryCase& b, const std::vector<int>& slots, const std::vector<double>& area, const Particles<D>& particles,
-                  const TotalLagrangian<D>& solid, std::vector<LoadCondition>& loads) {
+void add_pressure(const BoundaryCase& b, const std::vector<int>& slots, const std::vector<double>& area,
+                  const Particles<D>& particles, const TotalLagrangian<D>& solid, std::vector<LoadCondition>& loads) {
   for (int c = 0; c < D; ++c) {
     LoadCondition load{c, field_function(*b.value[0]), slots, {}};
     for (std::size_t k = 0; k < slots.size(); ++k) {
@@ -67,7 +69,8 @@ bool is_constant(const std::array<Expression, 3>& acceleration) {
 
 /// Mass times acceleration on every particle.
 template <int D>
-void add_body_force(const std::array<Expression, 3>& acceleration, const Particles<D>& particles, std::vector<LoadCondition>& loads) {
+void add_body_force(const std::array<Expression, 3>& acceleration, const Particles<D>& particles,
+                    std::vector<LoadCondition>& loads) {
   for (int c = 0; c < D; ++c) {
     LoadCondition load{c, field_function(acceleration[c]), particles.slot_of, {}};
     for (int slot : particles.slot_of) load.share.push_back(particles.mass[slot]);
@@ -93,8 +96,11 @@ PrescribedMotion<D> make_prescribed_motion(const Case& c, const Regions& regions
     if (!is_motion(b->kind)) continue;
     for (int component = 0; component < D; ++component) {
       if (!b->value[component]) continue;
-      MotionCondition m{b->kind == BoundaryCase::Kind::displacement ? MotionCondition::Kind::displacement : MotionCondition::Kind::velocity,
-                        component, field_function(*b->value[component]), {}};
+      MotionCondition m{
+          b->kind == BoundaryCase::Kind::displacement ? MotionCondition::Kind::displacement : MotionCondition::Kind::velocity,
+          component,
+          field_function(*b->value[component]),
+          {}};
       for (int slot : regions.at(b->region))
         if (taken.insert({slot, component}).second)
           m.slots.push_back(slot);
@@ -104,7 +110,8 @@ PrescribedMotion<D> make_prescribed_motion(const Case& c, const Regions& regions
     }
   }
   if (shared > 0)
-    warnings.push_back(fmt::format("{} components of particles are prescribed by more than one [[boundary]]; the last one in the file holds.", shared));
+    warnings.push_back(fmt::format(
+        "{} components of particles are prescribed by more than one [[boundary]]; the last one in the file holds.", shared));
   return PrescribedMotion<D>(std::move(conditions));
 }
 
@@ -115,7 +122,8 @@ Loads<D> make_loads(const Case& c, const Regions& regions, const Particles<D>& p
     if (is_motion(b.kind)) continue;
     const std::vector<int>& slots = regions.at(b.region);
     const bool force = b.kind == BoundaryCase::Kind::force;
-    const std::vector<double> share = force ? shares_by_volume(slots, particles) : areas(b, slots, particles, c.general.thickness);
+    const std::vector<double> share =
+        force ? shares_by_volume(slots, particles) : areas(b, slots, particles, c.general.thickness);
     if (b.kind == BoundaryCase::Kind::pressure) {
       add_pressure(b, slots, share, particles, solid, loads);
       continue;

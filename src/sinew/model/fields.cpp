@@ -56,7 +56,8 @@ Components recorded_quantity(std::string_view q, int slot, double density, const
   throw std::logic_error("no such quantity: " + std::string(q));
 }
 
-const std::set<std::string_view> unrecorded{"displacement", "velocity", "acceleration", "position", "volume", "neighbors", "force"};
+const std::set<std::string_view> unrecorded{"displacement", "velocity",  "acceleration", "position",
+                                            "volume",       "neighbors", "force"};
 
 }  // namespace
 
@@ -86,7 +87,9 @@ int component_index(const QuantityInfo& quantity, std::string_view component) {
   return 3 * axis(component[0]) + axis(component[1]);
 }
 
-template Components particle_quantity<2>(std::string_view, int, const Particles<2>&, const TotalLagrangian<2>&, const RecordedState*);
-template Components particle_quantity<3>(std::string_view, int, const Particles<3>&, const TotalLagrangian<3>&, const RecordedState*);
+template Components particle_quantity<2>(std::string_view, int, const Particles<2>&, const TotalLagrangian<2>&,
+                                         const RecordedState*);
+template Components particle_quantity<3>(std::string_view, int, const Particles<3>&, const TotalLagrangian<3>&,
+                                         const RecordedState*);
 
 }  // namespace sinew

@@ -30,7 +30,8 @@ double energy_of(std::string_view name, const Energies& e) {
 }  // namespace
 
 template <int D>
-Probes<D>::Probes(const Case& c, const Regions& regions) : parameters_(c.parameters), units_(c.general.units) {
+Probes<D>::Probes(const Case& c, const Regions& regions) : parameters_(c.parameters),
+                                                           units_(c.general.units) {
   for (const ProbeCase& p : c.probes) {
     Probe probe{p, nullptr, 0, {}};
     if (p.expression.empty()) {
@@ -47,7 +48,8 @@ template <int D>
 double Probes<D>::over_particles(const Probe& probe, const ProbedState<D>& state) const {
   double sum = 0.0, least = infinity, most = -infinity;
   for (int slot : probe.slots) {
-    const double value = component_of(particle_quantity(probe.c.quantity, slot, state.particles, state.solid, state.record), probe.component);
+    const double value =
+        component_of(particle_quantity(probe.c.quantity, slot, state.particles, state.solid, state.record), probe.component);
     sum += value;
     least = std::min(least, value);
     most = std::max(most, value);

@@ -49,8 +49,11 @@ template <int D>
     }
   std::string extent;
   for (int c = 0; c < D; ++c) extent += fmt::format("{}{} from {:.6g} to {:.6g}", c ? ", " : "", "XYZ"[c], low[c], high[c]);
-  throw CaseError(region.place, fmt::format("region \"{}\" selects no particle. Particles have {} (a particle stands in the middle of its cell, half a "
-                                            "spacing inside the surface).", region.name, extent));
+  throw CaseError(
+      region.place,
+      fmt::format("region \"{}\" selects no particle. Particles have {} (a particle stands in the middle of its cell, half a "
+                  "spacing inside the surface).",
+                  region.name, extent));
 }
 
 /// Of the candidates the one nearest to the point; the first of several at the same distance.
@@ -69,7 +72,8 @@ int nearest_of(const std::vector<int>& candidates, const Point& target, const Pa
 }
 
 template <int D>
-std::vector<int> select(const RegionCase& region, const Case& c, const std::vector<GeneratedBody>& bodies, const Particles<D>& particles) {
+std::vector<int> select(const RegionCase& region, const Case& c, const std::vector<GeneratedBody>& bodies,
+                        const Particles<D>& particles) {
   std::vector<int> found;
   const std::vector<UserRange> ranges = user_ranges(particles);
   for (std::size_t b = 0; b < ranges.size(); ++b) {
@@ -103,7 +107,8 @@ void check_set_name(const RegionCase& region, const Case& c, const std::vector<G
 }  // namespace
 
 template <int D>
-std::map<std::string, std::vector<int>> select_regions(const Case& c, const std::vector<GeneratedBody>& bodies, const Particles<D>& particles) {
+std::map<std::string, std::vector<int>> select_regions(const Case& c, const std::vector<GeneratedBody>& bodies,
+                                                       const Particles<D>& particles) {
   std::map<std::string, std::vector<int>> regions;
   for (const auto& [name, region] : c.regions) {
     check_set_name(region, c, bodies);
@@ -112,7 +117,9 @@ std::map<std::string, std::vector<int>> select_regions(const Case& c, const std:
   return regions;
 }
 
-template std::map<std::string, std::vector<int>> select_regions<2>(const Case&, const std::vector<GeneratedBody>&, const Particles<2>&);
-template std::map<std::string, std::vector<int>> select_regions<3>(const Case&, const std::vector<GeneratedBody>&, const Particles<3>&);
+template std::map<std::string, std::vector<int>> select_regions<2>(const Case&, const std::vector<GeneratedBody>&,
+                                                                   const Particles<2>&);
+template std::map<std::string, std::vector<int>> select_regions<3>(const Case&, const std::vector<GeneratedBody>&,
+                                                                   const Particles<3>&);
 
 }  // namespace sinew

@@ -13,15 +13,15 @@ namespace sinew {
 /// What a model is made of, for `check`, the log and the summary. Quantities in the case's own units.
 struct ModelFacts {
   long particles = 0;
-  long pairs = 0;                  ///< directed pairs
+  long pairs = 0;  ///< directed pairs
   int neighbors_min = 0, neighbors_max = 0;
   double neighbors_mean = 0.0;
-  double time_step = 0.0;          ///< stable step of the initial state
-  std::string time_step_limit;     ///< "wave speed" or "hourglass stiffness" or "fixed"
+  double time_step = 0.0;       ///< stable step of the initial state
+  std::string time_step_limit;  ///< "wave speed" or "hourglass stiffness" or "fixed"
   std::size_t memory_bytes = 0;
   double bytes_per_particle = 0.0;
   int chunks = 0;
-  double list_fill = 1.0;          ///< pairs over entries of the padded list
+  double list_fill = 1.0;  ///< pairs over entries of the padded list
   double setup_seconds = 0.0;
   struct Body {
     std::string name, material;
@@ -46,8 +46,8 @@ struct Energies {
 };
 
 struct Momenta {
-  Point linear, angular;       ///< sum m v, sum m x cross v (about the origin)
-  double linear_scale = 0.0;   ///< sum m |v|, for judging the balance
+  Point linear, angular;      ///< sum m v, sum m x cross v (about the origin)
+  double linear_scale = 0.0;  ///< sum m |v|, for judging the balance
 };
 
 /// Everything that a restart needs beside the case.
@@ -67,18 +67,18 @@ class Simulation {
   virtual const ModelFacts& facts() const = 0;
   virtual double time() const = 0;
   virtual long steps() const = 0;
-  virtual double stable_time_step() const = 0;   ///< for the next step
+  virtual double stable_time_step() const = 0;  ///< for the next step
   /// One step of min(stable_time_step(), most). Throws SimulationError when the state is no longer usable: time, particle, cause.
   virtual void step(double most) = 0;
 
   // What follows costs about one step for a state when first asked; then it is kept until the next step.
   virtual Energies energies() = 0;
   virtual Momenta momenta() = 0;
-  virtual std::vector<double> probe_values() = 0;          ///< of Case::probes, in order
+  virtual std::vector<double> probe_values() = 0;  ///< of Case::probes, in order
   virtual std::vector<std::string> probe_units() const = 0;
   virtual Snapshot snapshot(const std::vector<std::string>& fields) = 0;
 
-  virtual std::string state_hash() const = 0;              ///< of positions and velocities, in the user's order
+  virtual std::string state_hash() const = 0;  ///< of positions and velocities, in the user's order
   virtual SavedState save() const = 0;
   virtual void restore(const SavedState& state) = 0;
   virtual std::map<std::string, double> pass_seconds() const = 0;  ///< wall time of the passes of all steps so far

@@ -14,7 +14,8 @@ template <int D>
 Particles<D> particles_of(const Case& c, const std::vector<GeneratedBody>& bodies) {
   std::vector<BodyPoints> points;
   for (std::size_t b = 0; b < bodies.size(); ++b)
-    points.push_back({c.bodies[b].name, &bodies[b].points, std::visit([](const auto& m) { return m.density; }, c.bodies[b].material), bodies[b].spacing});
+    points.push_back({c.bodies[b].name, &bodies[b].points,
+                      std::visit([](const auto& m) { return m.density; }, c.bodies[b].material), bodies[b].spacing});
   return make_particles<D>(points, c.general.thickness);
 }
 
@@ -29,7 +30,8 @@ std::vector<double> support_radii(const Case& c, const Particles<D>& particles) 
 }
 
 TotalLagrangianOptions options_of(const Case& c) {
-  TotalLagrangianOptions options{c.formulation.kernel, c.formulation.correction, {}, {}, c.general.plane == PlaneState::stress, c.general.thickness};
+  TotalLagrangianOptions options{c.formulation.kernel, c.formulation.correction, {}, {}, c.general.plane == PlaneState::stress,
+                                 c.general.thickness};
   for (const AnyStabilization& s : c.formulation.stabilizations)
     if (std::get<HourglassStiffness>(s).alpha > 0.0) options.hourglass = std::get<HourglassStiffness>(s);
   for (const BodyCase& body : c.bodies) options.materials.push_back(body.material);

@@ -58,7 +58,7 @@ class SolidSimulation final : public Simulation {
 
   double time_ = 0.0;
   long steps_ = 0;
-  ForceSummary summary_;        ///< of the current state
+  ForceSummary summary_;  ///< of the current state
   double first_time_step_ = 0.0;
   double dissipated_ = 0.0, dissipation_rate_ = 0.0;
   double initial_energy_ = 0.0, initial_gravity_work_ = 0.0;

@@ -122,7 +122,8 @@ void SolidSimulation<D>::restore(const SavedState& s) {
   initial_energy_ = s.numbers.at("initial_energy");
   initial_gravity_work_ = s.numbers.at("initial_gravity_work");
   first_time_step_ = s.numbers.at("first_time_step");
-  summary_ = {s.numbers.at("strain_energy"), s.numbers.at("hourglass_energy"), s.numbers.at("smallest_jacobian"), s.numbers.at("largest_rate2")};
+  summary_ = {s.numbers.at("strain_energy"), s.numbers.at("hourglass_energy"), s.numbers.at("smallest_jacobian"),
+              s.numbers.at("largest_rate2")};
   recorded_step_ = -1;
 }
 
@@ -148,12 +149,14 @@ void SolidSimulation<D>::fail(const std::string& cause) {
   }
   const Point x = particles_.current(worst);
   const BodyRange& body = particles_.bodies[particles_.body_of(worst)];
-  throw SimulationError(fmt::format(
-      "unstable at time {:.6g} {}, step {}: particle {} of body \"{}\" at ({:.6g}, {:.6g}, {:.6g}): {} (det F = {:.3g}). Likely causes: a load or velocity "
-      "that the particles cannot resolve, too large a time step (try [solver] cfl = {:.2g}), or zero-energy modes (try stabilization "
-      "hourglass_stiffness with a larger alpha).",
-      time_, case_.general.units.name_of("s"), steps_, particles_.user_index[worst], body.name, x[0], x[1], x[2], cause,
-      particle_quantity("jacobian", worst, particles_, solid_, &state).value[0], 0.5 * case_.solver.cfl));
+  throw SimulationError(
+      fmt::format("unstable at time {:.6g} {}, step {}: particle {} of body \"{}\" at ({:.6g}, {:.6g}, {:.6g}): {} (det F = "
+                  "{:.3g}). Likely causes: a load or velocity "
+                  "that the particles cannot resolve, too large a time step (try [solver] cfl = {:.2g}), or zero-energy modes "
+                  "(try stabilization "
+                  "hourglass_stiffness with a larger alpha).",
+                  time_, case_.general.units.name_of("s"), steps_, particles_.user_index[worst], body.name, x[0], x[1], x[2],
+                  cause, particle_quantity("jacobian", worst, particles_, solid_, &state).value[0], 0.5 * case_.solver.cfl));
 }
 
 template FieldData SolidSimulation<2>::field(const std::string&);

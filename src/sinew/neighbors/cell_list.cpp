@@ -29,7 +29,8 @@ CellList::CellList(const std::vector<Point>& points, double cell_size) {
   first_.assign(total + 1, 0);
   std::vector<std::size_t> cell(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
-    cell[i] = (static_cast<std::size_t>(cell_of(points[i][2], 2)) * cells_[1] + cell_of(points[i][1], 1)) * cells_[0] + cell_of(points[i][0], 0);
+    cell[i] = (static_cast<std::size_t>(cell_of(points[i][2], 2)) * cells_[1] + cell_of(points[i][1], 1)) * cells_[0] +
+              cell_of(points[i][0], 0);
     ++first_[cell[i] + 1];
   }
   for (std::size_t c = 0; c < total; ++c) first_[c + 1] += first_[c];

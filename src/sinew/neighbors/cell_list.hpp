@@ -40,8 +40,8 @@ class CellList {
   Point low_;
   double inverse_size_ = 1.0;
   int cells_[3] = {1, 1, 1};
-  std::vector<int> first_;     ///< first sorted point of each cell, and the end
-  std::vector<int> number_;    ///< sorted place -> number of the point
+  std::vector<int> first_;   ///< first sorted point of each cell, and the end
+  std::vector<int> number_;  ///< sorted place -> number of the point
   std::vector<Point> sorted_;
 };
 

@@ -39,7 +39,8 @@ template <int D>
 struct ForceStreams {
   AlignedArray<double> stream[2];
   explicit ForceStreams(int slots)
-      : stream{AlignedArray<double>(std::size_t(slots) * vector_width<D>), AlignedArray<double>(std::size_t(slots) * vector_width<D>)} {}
+      : stream{AlignedArray<double>(std::size_t(slots) * vector_width<D>),
+               AlignedArray<double>(std::size_t(slots) * vector_width<D>)} {}
   std::size_t bytes() const { return stream[0].bytes() + stream[1].bytes(); }
 };
 

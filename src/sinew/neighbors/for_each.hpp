@@ -32,7 +32,8 @@ SINEW_INLINE void for_each_pair(const PairList& list, const double* places, int 
 /// Calls t = share(pair) for all pairs of a slice, adds t to the row of i and subtracts it from the row of j: momentum is conserved by
 /// construction. One pair after the other, in list order.
 template <int D, class Share>
-SINEW_INLINE void exchange_pairs(const PairList& list, const double* places, int slice, const PlacePack<D>& own, double* rows, Share&& share) {
+SINEW_INLINE void exchange_pairs(const PairList& list, const double* places, int slice, const PlacePack<D>& own, double* rows,
+                                 Share&& share) {
   Vec<Pack, D> total;
   for (std::size_t e = list.first_entry[slice]; e < list.first_entry[slice + 1]; ++e) {
     const int* index = list.entry(e);

@@ -22,8 +22,8 @@ double largest_radius(const std::vector<double>& radius, const BodyRange& body) 
 
 /// Calls use(slot, sorted neighbors) for every particle of the body, in parallel over slices.
 template <class Use>
-void for_each_row(const std::vector<Point>& points, const BodyRange& body, const std::vector<double>& radius, const CellList& cells,
-                  Use&& use) {
+void for_each_row(const std::vector<Point>& points, const BodyRange& body, const std::vector<double>& radius,
+                  const CellList& cells, Use&& use) {
 #pragma omp parallel
   {
     std::vector<int> found;

@@ -20,8 +20,8 @@ struct BodyRange {
 
 template <int D>
 struct Particles {
-  int count = 0;                      ///< particles
-  int slots = 0;                      ///< places in computing order, a multiple of eight
+  int count = 0;  ///< particles
+  int slots = 0;  ///< places in computing order, a multiple of eight
   std::vector<BodyRange> bodies;
   AlignedArray<double> place;         ///< place rows: displacement u and reference position X [length]
   AlignedArray<double> velocity;      ///< vector rows [length/time]

@@ -49,7 +49,9 @@ SINEW_INLINE PlacePack<3> load_places(const double* rows, const int* index, std:
   const V8 e45 = even_columns(r[4], r[5]), o45 = odd_columns(r[4], r[5]);
   const V8 e67 = even_columns(r[6], r[7]), o67 = odd_columns(r[6], r[7]);
   // columns 0 and 4 of four rows: {0 0' 4 4'} halves
-  auto four = [](V8 a, V8 b) { return __builtin_shufflevector(a, b, 0, 1, 8, 9, 4, 5, 12, 13); };   // c, c', ... of quarter 0 and 2
+  auto four = [](V8 a, V8 b) {
+    return __builtin_shufflevector(a, b, 0, 1, 8, 9, 4, 5, 12, 13);
+  };  // c, c', ... of quarter 0 and 2
   auto four_high = [](V8 a, V8 b) { return __builtin_shufflevector(a, b, 2, 3, 10, 11, 6, 7, 14, 15); };
   auto low = [](V8 a, V8 b) { return __builtin_shufflevector(a, b, 0, 1, 2, 3, 8, 9, 10, 11); };
   auto high = [](V8 a, V8 b) { return __builtin_shufflevector(a, b, 4, 5, 6, 7, 12, 13, 14, 15); };
@@ -90,9 +92,10 @@ SINEW_INLINE void subtract_rows(double* rows, const int* index, const Vec<Pack, 
   const V8 zero{};
   const V8 xy_even = even_columns(t[0].v, t[1].v), xy_odd = odd_columns(t[0].v, t[1].v);  // {x0 y0 x2 y2 ..}, {x1 y1 x3 y3 ..}
   const V8 z_even = even_columns(t[2].v, zero), z_odd = odd_columns(t[2].v, zero);        // {z0 0 z2 0 ..}
-  auto pairs = [](V8 a, V8 b) { return __builtin_shufflevector(a, b, 0, 1, 8, 9, 4, 5, 12, 13); };       // lanes 0|4 (or 1|5)
+  auto pairs = [](V8 a, V8 b) { return __builtin_shufflevector(a, b, 0, 1, 8, 9, 4, 5, 12, 13); };         // lanes 0|4 (or 1|5)
   auto pairs_high = [](V8 a, V8 b) { return __builtin_shufflevector(a, b, 2, 3, 10, 11, 6, 7, 14, 15); };  // lanes 2|6 (or 3|7)
-  const V8 r04 = pairs(xy_even, z_even), r15 = pairs(xy_odd, z_odd), r26 = pairs_high(xy_even, z_even), r37 = pairs_high(xy_odd, z_odd);
+  const V8 r04 = pairs(xy_even, z_even), r15 = pairs(xy_odd, z_odd), r26 = pairs_high(xy_even, z_even),
+           r37 = pairs_high(xy_odd, z_odd);
   auto subtract = [&](int k, V4 row) { *reinterpret_cast<V4*>(rows + 4 * static_cast<std::ptrdiff_t>(index[k])) -= row; };
   subtract(0, low_half(r04));
   subtract(1, low_half(r15));

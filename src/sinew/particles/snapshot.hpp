@@ -10,7 +10,7 @@ namespace sinew {
 /// One field over all particles. `components` is 1 (scalar), 3 (vector), 6 (symmetric tensor: XX YY ZZ XY YZ XZ) or 9 (tensor, row-major).
 struct FieldData {
   std::string name;
-  std::string unit;            ///< in the case's own system, e.g. "Pa" or "GPa"; "1" for pure numbers
+  std::string unit;  ///< in the case's own system, e.g. "Pa" or "GPa"; "1" for pure numbers
   int components = 1;
   std::vector<double> values;  ///< particle after particle: values[p * components + c]
 };
@@ -19,9 +19,9 @@ struct Snapshot {
   double time = 0.0;
   long step = 0;
   int dimension = 3;
-  std::vector<Point> position;          ///< current coordinates
-  std::vector<double> size;             ///< edge length of the volume that each particle stands for, for drawing
-  std::vector<int> body;                ///< index into body_names
+  std::vector<Point> position;  ///< current coordinates
+  std::vector<double> size;     ///< edge length of the volume that each particle stands for, for drawing
+  std::vector<int> body;        ///< index into body_names
   std::vector<std::string> body_names;
   std::vector<FieldData> fields;
   std::string length_unit = "m", time_unit = "s";

@@ -3,8 +3,8 @@
 /// current state in the reference frame and length_i the smaller of V^(1/D) and the distance of the nearest neighbor.
 
 #include <cmath>
-#include <string_view>
 #include <sinew/formulations/total_lagrangian.hpp>
+#include <string_view>
 
 namespace sinew {
 

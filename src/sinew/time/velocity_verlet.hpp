@@ -35,7 +35,8 @@ void kick_and_drift(Particles<D>& particles, double dt, double damping) {
 
 /// Turns the force streams into accelerations (plus `gravity`), clears the streams and completes the velocities. dt = 0 at the start of a run.
 template <int D>
-void accelerate_and_kick(Particles<D>& particles, ForceStreams<D>& forces, const Vec<double, D>& gravity, double dt, double damping) {
+void accelerate_and_kick(Particles<D>& particles, ForceStreams<D>& forces, const Vec<double, D>& gravity, double dt,
+                         double damping) {
   constexpr int n = vector_width<D>;
   const double share = 1.0 / (1.0 + 0.5 * dt * damping);
   double g[n] = {};

@@ -12,11 +12,11 @@ using testing_support::random_rotation;
 
 template <class T, int D>
 Vec<T, D> pair_force(const Mat<T, D>& F, const Vec<T, D>& X, const Vec<T, D>& x, const T& weight) {
-  return HourglassStiffness::pair_share(F, X, x, weight).force;
+  return HourglassStiffness::central_share(F, X, x, weight).force;
 }
 template <int D>
 double pair_energy(const Mat<double, D>& F, const Vec<double, D>& X, const Vec<double, D>& x, double weight) {
-  return HourglassStiffness::pair_share(F, X, x, weight).energy;
+  return HourglassStiffness::central_share(F, X, x, weight).energy;
 }
 
 TEST(HourglassStiffness, VanishesForAffineMotion) {
@@ -32,7 +32,8 @@ TEST(HourglassStiffness, VanishesForAffineMotion) {
 /// The published form with both particles: f_i = -(alpha/2) E_ij V_i V_j W_ij / r^2 (e.n) n, e = (F_i + F_j) X_ij / 2 - x_ij.
 TEST(HourglassStiffness, SharesOfBothParticlesGiveThePublishedForce) {
   std::mt19937_64 random(6);
-  const HourglassStiffness stiffness;
+  HourglassStiffness stiffness;
+  stiffness.normalization.value = "half";
   const double E = 3.0, volumes = 0.7, W = 2.0;
   for (int trial = 0; trial < 50; ++trial) {
     const Mat3<double> F_i = random_gradient(random), F_j = random_gradient(random);
@@ -59,7 +60,9 @@ TEST(HourglassStiffness, EnergyIsTheWorkOfASmallProportionalMotion) {
   const Vec<double, 2> X{{0.6, 0.8}}, u{{0.3, -0.7}};
   const Mat<double, 2> gradient{{{0.1, 0.4}, {-0.2, 0.3}}}, I = Mat<double, 2>::identity();
   const double size = 1e-6;
-  const auto force_along_u = [&](double s) { return dot(pair_force(I + (s * size) * gradient, X, X + (s * size) * u, 2.5), size * u); };
+  const auto force_along_u = [&](double s) {
+    return dot(pair_force(I + (s * size) * gradient, X, X + (s * size) * u, 2.5), size * u);
+  };
   const double work = (force_along_u(0.0) + 4.0 * force_along_u(0.5) + force_along_u(1.0)) / 6.0;
   const double energy = pair_energy(I + size * gradient, X, X + size * u, 2.5);
   EXPECT_NEAR(energy, work, 1e-5 * std::abs(work));
@@ -73,6 +76,26 @@ TEST(HourglassStiffness, IsFrameIndifferent) {
   EXPECT_LT(norm(turned - Q * pair_force(F, X, x, 1.0)), 1e-14);
 }
 
+/// The conservative share with F held fixed is minus the derivative of its energy with respect to x; and F is the minimizer, see the
+/// invariants of whole bodies.
+TEST(HourglassStiffness, ConservativeShareIsTheGradientOfItsEnergy) {
+  std::mt19937_64 random(10);
+  const Mat3<double> F = random_gradient(random);
+  const Vec3<double> X = random_direction(random), x = random_direction(random);
+  const double weight = 2.5, step = 1e-5;
+  const auto share = HourglassStiffness::conservative_share(F, X, x, weight);
+  for (int c = 0; c < 3; ++c) {
+    Vec3<double> after = x, before = x;
+    after[c] += step;
+    before[c] -= step;
+    const double slope = (HourglassStiffness::conservative_share(F, X, after, weight).energy -
+                          HourglassStiffness::conservative_share(F, X, before, weight).energy) /
+                         (2.0 * step);
+    EXPECT_NEAR(share.force[c], slope, 1e-9);
+  }
+  EXPECT_LT(norm(HourglassStiffness::conservative_share(F, X, F * X, weight).force), 1e-15);
+}
+
 TEST(HourglassStiffness, EmptyPairsGiveNothing) {
   const Vec3<double> zero{};
   EXPECT_EQ(norm(pair_force(Mat3<double>::identity(), zero, zero, 0.0)), 0.0);
@@ -81,6 +104,8 @@ TEST(HourglassStiffness, EmptyPairsGiveNothing) {
 
 TEST(HourglassStiffness, Normalizations) {
   HourglassStiffness stiffness;
+  EXPECT_EQ(stiffness.coefficient(), 50.0 / 32.0);
+  stiffness.normalization.value = "half";
   EXPECT_EQ(stiffness.coefficient(), 12.5);
   stiffness.normalization.value = "printed";
   EXPECT_EQ(stiffness.coefficient(), 25.0);

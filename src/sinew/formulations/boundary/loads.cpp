@@ -27,7 +27,8 @@ void Loads<D>::add(const Particles<D>& particles, double t, double dt, double* f
         value = applied.function.value(particles.reference(entry.slot), particles.current(entry.slot), t);
       const double force = entry.share * value;
       force_rows[std::size_t(vector_width<D>) * entry.slot + applied.component] += force;
-      if (dt > 0.0) work_ += 0.5 * (entry.force + force) * (particles.place_row(entry.slot)[applied.component] - entry.previous_u);
+      if (dt > 0.0)
+        work_ += 0.5 * (entry.force + force) * (particles.place_row(entry.slot)[applied.component] - entry.previous_u);
       entry.force = force;
     }
   }

@@ -11,7 +11,7 @@ namespace sinew {
 /// One component of a load: particle slots[k] receives share[k] * function [force].
 struct LoadCondition {
   int component = 0;
-  FieldFunction function;     ///< total force, or force per area
+  FieldFunction function;  ///< total force, or force per area
   std::vector<int> slots;
   std::vector<double> share;  ///< part of the total, or the area (times a component of the normal) of the particle
 };

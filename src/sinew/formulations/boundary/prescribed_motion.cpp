@@ -77,7 +77,8 @@ template <int D>
 std::vector<double> PrescribedMotion<D>::reaction_rows(int slots) const {
   std::vector<double> rows(std::size_t(vector_width<D>) * slots, 0.0);
   for (const Held& held : conditions_)
-    for (const Entry& entry : held.entries) rows[std::size_t(vector_width<D>) * entry.slot + held.condition.component] += entry.reaction;
+    for (const Entry& entry : held.entries)
+      rows[std::size_t(vector_width<D>) * entry.slot + held.condition.component] += entry.reaction;
   return rows;
 }
 
