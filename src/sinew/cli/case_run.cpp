@@ -1,6 +1,7 @@
 #include <sinew/cli/case_run.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <sinew/cli/interruption.hpp>
 #include <sinew/cli/progress.hpp>
@@ -51,6 +52,7 @@ void CaseRun::resume(const Checkpoint& checkpoint) {
 
 bool CaseRun::at_end() const {
   if (c.solver.max_steps && simulation.steps() >= *c.solver.max_steps) return true;
+  if (std::isinf(c.solver.end_time)) return false;
   const double left = c.solver.end_time - simulation.time();
   return left <= std::max(1e-9 * simulation.stable_time_step(), 4.0 * std::numeric_limits<double>::epsilon() * c.solver.end_time);
 }

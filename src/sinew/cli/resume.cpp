@@ -10,7 +10,7 @@ namespace sinew {
 namespace {
 
 RunFolder open_folder(const std::string& path) {
-  const RunFolder folder = RunFolder::open(path);
+  RunFolder folder = RunFolder::open(path);
   std::error_code ignored;
   if (std::filesystem::exists(folder.file("study.csv"), ignored))
     throw CaseError(path + " holds a study. Resume one of its runs, for example sinew resume " + path +

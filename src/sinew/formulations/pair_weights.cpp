@@ -16,6 +16,15 @@ Vec<double, D> reference_of(const Particles<D>& particles, int slot) {
   return X;
 }
 
+/// One particle and where its neighbors are listed.
+template <int D>
+struct Row {
+  const Particles<D>& particles;
+  const PairList& list;
+  int slot;
+  double radius;  ///< of its support
+};
+
 /// Everything that the neighbors of one particle say about it.
 template <int D>
 struct RowSums {
@@ -25,23 +34,23 @@ struct RowSums {
 
 /// Calls use(place in the arrays, j, X_ij, r) for the neighbors of one particle.
 template <int D, class Use>
-void for_each_neighbor(const Particles<D>& particles, const PairList& list, int slot, Use&& use) {
-  const Vec<double, D> own = reference_of(particles, slot);
-  const std::size_t first = list.first_entry[slot / lanes];
-  for (int n = 0; n < list.neighbor_count[slot]; ++n) {
-    const std::size_t at = lanes * (first + n) + slot % lanes;
-    const Vec<double, D> X = reference_of(particles, list.neighbor[at]) - own;
-    use(at, list.neighbor[at], X, norm(X));
+void for_each_neighbor(const Row<D>& row, Use&& use) {
+  const Vec<double, D> own = reference_of(row.particles, row.slot);
+  const std::size_t first = row.list.first_entry[row.slot / lanes];
+  for (int n = 0; n < row.list.neighbor_count[row.slot]; ++n) {
+    const std::size_t at = lanes * (first + n) + row.slot % lanes;
+    const Vec<double, D> X = reference_of(row.particles, row.list.neighbor[at]) - own;
+    use(at, row.list.neighbor[at], X, norm(X));
   }
 }
 
 template <int D, class Kernel>
-RowSums<D> row_sums(const Particles<D>& particles, const PairList& list, int slot, double radius) {
+RowSums<D> row_sums(const Row<D>& row) {
   RowSums<D> sums;
-  sums.moments.shepard_sum = particles.volume[slot] * Kernel::template value<D>(0.0, radius);
-  for_each_neighbor(particles, list, slot, [&](std::size_t, int j, const Vec<double, D>& X, double r) {
-    const double V = particles.volume[j], W = Kernel::template value<D>(r, radius);
-    const Vec<double, D> base = (-V * Kernel::template slope<D>(r, radius) / r) * X;
+  sums.moments.shepard_sum = row.particles.volume[row.slot] * Kernel::template value<D>(0.0, row.radius);
+  for_each_neighbor(row, [&](std::size_t, int j, const Vec<double, D>& X, double r) {
+    const double V = row.particles.volume[j], W = Kernel::template value<D>(r, row.radius);
+    const Vec<double, D> base = (-V * Kernel::template slope<D>(r, row.radius) / r) * X;
     sums.moments.shepard_sum += V * W;
     sums.moments.gradient_sum += base;
     sums.moments.first += outer(X, base);
@@ -67,12 +76,11 @@ template <int D>
 /// Writes the weights of the pairs of one particle and returns the sum of the hourglass weights. `scale`: of a_ij in the hourglass weight;
 /// 0 for the central form, which uses W_ij.
 template <int D, class Kernel, class Correction>
-double fill_row(const Particles<D>& particles, const PairList& list, int slot, double radius, const GradientMap<D>& map,
-                double scale, PairWeights<D>& w) {
+double fill_row(const Row<D>& row, const GradientMap<D>& map, double scale, PairWeights<D>& w) {
   double sum = 0.0;
-  for_each_neighbor(particles, list, slot, [&](std::size_t at, int j, const Vec<double, D>& X, double r) {
-    const double V = particles.volume[j], W = Kernel::template value<D>(r, radius);
-    const double a = -Kernel::template slope<D>(r, radius) / r;
+  for_each_neighbor(row, [&](std::size_t at, int j, const Vec<double, D>& X, double r) {
+    const double V = row.particles.volume[j], W = Kernel::template value<D>(r, row.radius);
+    const double a = -Kernel::template slope<D>(r, row.radius) / r;
     w.stiffness[at] = scale > 0.0 ? V * a * scale : V * W / (r * r);
     sum += w.stiffness[at];
     if constexpr (Correction::radial) {
@@ -110,13 +118,14 @@ PairWeights<D> make_pair_weights(const Particles<D>& particles, const PairList& 
 #pragma omp parallel for schedule(dynamic, 256) reduction(min : bad)
         for (int slot = 0; slot < particles.slots; ++slot) {
           if (particles.user_index[slot] < 0) continue;
-          const RowSums<D> sums = row_sums<D, Kernel>(particles, list, slot, support_radius[slot]);
+          const Row<D> row{particles, list, slot, support_radius[slot]};
+          const RowSums<D> sums = row_sums<D, Kernel>(row);
           const GradientMap<D> map = c.map(sums.moments);
           if (!map.valid) bad = std::min(bad, slot);
           store_correction(map.L, slot, w);
           const double second_moment = trace(sums.moments.first);
           const double scale = hourglass == HourglassWeight::conservative && second_moment > 0.0 ? 1.0 / second_moment : 0.0;
-          w.stiffness_sum[slot] = fill_row<D, Kernel, Correction>(particles, list, slot, support_radius[slot], map, scale, w);
+          w.stiffness_sum[slot] = fill_row<D, Kernel, Correction>(row, map, scale, w);
           const double length = std::min(sums.nearest, std::pow(particles.volume[slot], 1.0 / D));
           w.inverse_length2[slot] = 1.0 / (length * length);
         }

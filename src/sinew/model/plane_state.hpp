@@ -19,7 +19,7 @@ inline std::optional<Node> default_node(PlaneState value) {
 
 inline Node read_value(PlaneState& value, const Node& node, const FieldSpec& spec, const Reading& reading) {
   std::string name;
-  const Node resolved = read_value(name, node, spec, reading);
+  Node resolved = read_value(name, node, spec, reading);
   value = name == "strain" ? PlaneState::strain : PlaneState::stress;
   return resolved;
 }

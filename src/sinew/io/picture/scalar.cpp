@@ -38,7 +38,7 @@ std::vector<std::string> component_names(int components) {
 int find_component(const FieldData& field, const std::string& name) {
   if (name.empty() || (name == "magnitude" && field.components > 1)) return field.components == 1 ? 0 : -1;
   std::vector<std::string> known = component_names(field.components);
-  for (std::string alias : {name, std::string(name.rbegin(), name.rend())}) {  // a symmetric tensor has no yx of its own
+  for (const std::string& alias : {name, std::string(name.rbegin(), name.rend())}) {  // a symmetric tensor has no yx of its own
     const auto found = std::find(known.begin(), known.end(), alias);
     if (found != known.end()) return static_cast<int>(found - known.begin());
   }

@@ -97,7 +97,13 @@ void draw_particles(Canvas& canvas, const Scene& scene, const View& view, const 
   canvas.image(reduce(fine, fineness), static_cast<int>(box.x), static_cast<int>(box.y));
 }
 
-void draw_arrow(Canvas& canvas, double x, double y, double dx, double dy, const Rgb& color, double unit) {
+/// From (x, y) by (dx, dy), in pixels; y points down.
+struct Arrow {
+  double x, y, dx, dy;
+};
+
+void draw_arrow(Canvas& canvas, const Arrow& arrow, const Rgb& color, double unit) {
+  const auto [x, y, dx, dy] = arrow;
   const double length = std::hypot(dx, dy), head = 13 * unit, half = 5.5 * unit;
   if (length < head) return;
   const double ex = dx / length, ey = dy / length, bx = x + dx - head * ex, by = y + dy - head * ey;
@@ -112,7 +118,7 @@ void draw_triad(Canvas& canvas, const Layout& layout, const View& view) {
   for (const std::size_t axis : {std::size_t{1}, std::size_t{0}, std::size_t{2}}) {  // y points away from the eye: first
     const double dx = view[right][static_cast<int>(axis)] * arrow_length * u,
                  dy = view[down][static_cast<int>(axis)] * arrow_length * u;
-    draw_arrow(canvas, x, y, dx, dy, colors[axis], u);
+    draw_arrow(canvas, {x, y, dx, dy}, colors[axis], u);
     const double length = std::max(1.0, std::hypot(dx, dy)), beyond = 1.0 + 15 * u / length;
     canvas.text(x + beyond * dx, y + beyond * dy + 7 * u, names[axis],
                 {.size = tick_size * u, .color = colors[axis], .align = 0.5});

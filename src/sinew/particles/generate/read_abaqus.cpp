@@ -176,7 +176,7 @@ void AbaqusReader::element_line() {
     ignored_elements.insert(numbers.at(0));
     return numbers.clear();
   }
-  const std::size_t wanted = static_cast<std::size_t>(1 + type.corners);
+  const std::size_t wanted = 1 + static_cast<std::size_t>(type.corners);
   if (numbers.size() > wanted || (numbers.size() < wanted && !goes_on))
     file.fail("this element has " + std::to_string(numbers.size() - 1) + " nodes; the type " + type_name + " needs " +
               std::to_string(type.corners) + ".");

@@ -249,7 +249,7 @@ void GmshReader::read_elements_4() {
     for (long long n = count(3); n > 0; --n) {
       row(1);
       if (type.dimension < dimension) continue;
-      if (words->size() != static_cast<std::size_t>(1 + type.nodes))
+      if (words->size() != 1 + static_cast<std::size_t>(type.nodes))
         file.fail("this " + std::string(type.name) + " has " + std::to_string(words->size()) + " entries; " +
                   std::to_string(1 + type.nodes) + " are needed.");
       numbers.clear();
