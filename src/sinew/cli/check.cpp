@@ -43,7 +43,7 @@ int check_verb(const CheckOptions& options) {
   const int threads = use_threads(options);
   const CaseInput input = read_case_input(options.case_path, options.overrides);
   const Case c = make_case(input.root, input.folder);
-  fmt::print("{} threads\n", threads);
+  fmt::print("{} thread{}\n", threads, threads == 1 ? "" : "s");
   if (c.study.vary.empty()) {
     check_one(c);
     return done;

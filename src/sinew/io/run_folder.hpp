@@ -20,7 +20,6 @@ class RunFolder {
   std::string history() const { return file("history.csv"); }
   std::string series() const { return file("particles.pvd"); }
   std::string checkpoint() const { return file("checkpoint.h5"); }
-  std::string report() const { return file("report.html"); }
   /// Any other file, such as a picture.
   std::string file(const std::string& name) const { return folder + "/" + name; }
   /// "particles/frame_000012.vtu", as seen from the folder.

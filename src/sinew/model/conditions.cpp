@@ -78,6 +78,16 @@ void add_body_force(const std::array<Expression, 3>& acceleration, const Particl
   }
 }
 
+/// Value of an expression of [[initial]] at a particle; CaseError unless it is a finite number.
+double initial_value(const InitialCase& initial, const Expression& expression, const Point& X) {
+  const double value = expression(X, X, 0.0);
+  if (!std::isfinite(value))
+    throw CaseError(initial.place, fmt::format("initial: \"{}\" gives {} for the particle at ({:.6g}, {:.6g}, {:.6g}), not a finite "
+                                               "number",
+                                               expression.text(), value, X[0], X[1], X[2]));
+  return value;
+}
+
 }  // namespace
 
 template <int D>
@@ -143,8 +153,8 @@ void set_initial_state(const Case& c, const Regions& regions, Particles<D>& part
       double* u = particles.place_row(slot);
       for (int i = 0; i < D; ++i) {
         if (initial.stretch) u[i] = ((*initial.stretch)[i] - 1.0) * X[i];
-        if (initial.displacement) u[i] = (*initial.displacement)[i](X, X, 0.0);
-        if (initial.velocity) particles.velocity_row(slot)[i] = (*initial.velocity)[i](X, X, 0.0);
+        if (initial.displacement) u[i] = initial_value(initial, (*initial.displacement)[i], X);
+        if (initial.velocity) particles.velocity_row(slot)[i] = initial_value(initial, (*initial.velocity)[i], X);
       }
     }
 }

@@ -35,7 +35,12 @@ bool inside(const std::array<Point, 2>& box, const Point& X, int dimension) {
 
 bool satisfies(const RegionCase& region, const Point& X, int dimension) {
   if (region.box && !inside(*region.box, X, dimension)) return false;
-  return !region.where || (*region.where)(X, X, 0.0) != 0.0;
+  if (!region.where) return true;
+  const double holds = (*region.where)(X, X, 0.0);
+  if (std::isnan(holds))
+    throw CaseError(region.place, fmt::format("region \"{}\": where gives no number at ({:.6g}, {:.6g}, {:.6g})", region.name,
+                                              X[0], X[1], X[2]));
+  return holds != 0.0;
 }
 
 template <int D>

@@ -36,12 +36,12 @@ struct ModelFacts {
 
 struct Energies {
   double kinetic = 0.0, strain = 0.0;
-  double hourglass = 0.0;      ///< measure of the energy in the hourglass stiffness (not an exact potential)
+  double hourglass = 0.0;      ///< of the hourglass stiffness; a measure only for its central forms, which have no potential
   double external_work = 0.0;  ///< of reactions, loads and body force since the start
   double dissipated = 0.0;     ///< by damping
   double initial = 0.0;        ///< kinetic + strain + hourglass of the initial state
   double total() const { return kinetic + strain + hourglass; }
-  /// total + dissipated - external_work - initial: 0 for exact time integration without hourglass forces.
+  /// total + dissipated - external_work - initial: 0 for exact time integration, but for central hourglass forces.
   double balance_error() const { return total() + dissipated - external_work - initial; }
 };
 

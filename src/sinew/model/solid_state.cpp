@@ -31,6 +31,14 @@ void put_rows(const std::vector<double>& in, const std::vector<int>& slots, int 
     for (int c = 0; c < D; ++c) rows[std::size_t(width) * slot + c] = in.at(k++);
 }
 
+/// What a failed run may try about its zero-energy modes.
+std::string hourglass_advice(const std::optional<HourglassStiffness>& hourglass) {
+  if (!hourglass) return "zero-energy modes, which nothing controls (try stabilization = [{ model = \"hourglass_stiffness\" }])";
+  if (!hourglass->conservative())
+    return "the central hourglass force, which can feed motion (try normalization = \"conservative\")";
+  return "zero-energy modes (try a larger alpha of hourglass_stiffness)";
+}
+
 }  // namespace
 
 template <int D>
@@ -151,12 +159,11 @@ void SolidSimulation<D>::fail(const std::string& cause) {
   const BodyRange& body = particles_.bodies[particles_.body_of(worst)];
   throw SimulationError(
       fmt::format("unstable at time {:.6g} {}, step {}: particle {} of body \"{}\" at ({:.6g}, {:.6g}, {:.6g}): {} (det F = "
-                  "{:.3g}). Likely causes: a load or velocity "
-                  "that the particles cannot resolve, too large a time step (try [solver] cfl = {:.2g}), or zero-energy modes "
-                  "(try stabilization "
-                  "hourglass_stiffness with a larger alpha).",
+                  "{:.3g}). Likely causes: a load "
+                  "or velocity that the particles cannot resolve, too large a time step (try [solver] cfl = {:.2g}), or {}.",
                   time_, case_.general.units.name_of("s"), steps_, particles_.user_index[worst], body.name, x[0], x[1], x[2],
-                  cause, particle_quantity("jacobian", worst, particles_, solid_, &state).value[0], 0.5 * case_.solver.cfl));
+                  cause, particle_quantity("jacobian", worst, particles_, solid_, &state).value[0], 0.5 * case_.solver.cfl,
+                  hourglass_advice(solid_.options().hourglass)));
 }
 
 template FieldData SolidSimulation<2>::field(const std::string&);

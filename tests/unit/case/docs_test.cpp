@@ -55,8 +55,8 @@ TEST(Docs, SayWhatTheDescriptionSays) {
   EXPECT_EQ(solver[3].unit, "s");
   EXPECT_EQ(solver[3].default_text, "");
   const std::vector<ParameterDoc> hourglass = parameter_docs<HourglassStiffness>();
-  EXPECT_EQ(hourglass[1].range, "half, printed");
-  EXPECT_EQ(hourglass[1].default_text, "\"half\"");
+  EXPECT_EQ(hourglass[1].range, "conservative, half, printed");
+  EXPECT_EQ(hourglass[1].default_text, "\"conservative\"");
   EXPECT_TRUE(parameter_docs<LinearElastic>()[0].required);
 }
 

@@ -27,7 +27,7 @@ std::string with_commas(std::size_t count) {
 
 std::string default_subtitle(const Snapshot& snapshot) {
   const DisplayUnit unit = display_unit(snapshot.time_unit, std::abs(snapshot.time));
-  return fmt::format("t = {} {},  {} particles", number_text(snapshot.time * unit.factor), unit.name,
+  return fmt::format("t = {} {},  {} particles", drawn_number(snapshot.time * unit.factor), unit.name,
                      with_commas(snapshot.position.size()));
 }
 

@@ -132,7 +132,7 @@ void draw_scale_bar(Canvas& canvas, const Layout& layout, double scale, const st
   const double x = layout.corner.x, y = layout.corner.bottom() - 3 * u, width = length * scale;
   canvas.line(x, y, x + width, y, ink, 2.4 * u);
   for (const double end : {x, x + width}) canvas.line(end, y - 6 * u, end, y + 1.2 * u, ink, 2.4 * u);
-  canvas.text(x, y - 12 * u, number_text(length * unit.factor) + " " + unit.name, {.size = tick_size * u, .color = ink});
+  canvas.text(x, y - 12 * u, drawn_number(length * unit.factor) + " " + unit.name, {.size = tick_size * u, .color = ink});
 }
 
 PageRequest page_request(Canvas& canvas, const PictureScalar& scalar, const PictureOptions& options, const Scene& scene) {

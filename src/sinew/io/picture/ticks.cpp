@@ -105,7 +105,7 @@ double round_down_nicely(double limit) {
   return (limit >= 5.0 * power ? 5.0 : limit >= 2.0 * power ? 2.0 : 1.0) * power;
 }
 
-std::string number_text(double value) { return with_true_minus(fmt::format("{:.4g}", value)); }
+std::string drawn_number(double value) { return with_true_minus(fmt::format("{:.4g}", value)); }
 
 DisplayUnit display_unit(const std::string& unit, double largest) {
   const bool pure = unit.empty() || unit == "1";

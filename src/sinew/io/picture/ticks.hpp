@@ -18,7 +18,7 @@ Ticks nice_ticks(double low, double high, int most);
 double round_down_nicely(double limit);
 
 /// A number as written in text: "0.25", "−3", "1500".
-std::string number_text(double value);
+std::string drawn_number(double value);
 
 /// How to show values that are stored in some unit: shown = factor * stored, called `name`.
 struct DisplayUnit {
