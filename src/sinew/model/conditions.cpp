@@ -82,9 +82,10 @@ void add_body_force(const std::array<Expression, 3>& acceleration, const Particl
 double initial_value(const InitialCase& initial, const Expression& expression, const Point& X) {
   const double value = expression(X, X, 0.0);
   if (!std::isfinite(value))
-    throw CaseError(initial.place, fmt::format("initial: \"{}\" gives {} for the particle at ({:.6g}, {:.6g}, {:.6g}), not a finite "
-                                               "number",
-                                               expression.text(), value, X[0], X[1], X[2]));
+    throw CaseError(initial.place,
+                    fmt::format("initial: \"{}\" gives {} for the particle at ({:.6g}, {:.6g}, {:.6g}), not a finite "
+                                "number",
+                                expression.text(), value, X[0], X[1], X[2]));
   return value;
 }
 

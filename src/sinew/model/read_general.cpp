@@ -41,7 +41,8 @@ void read_general(CaseReader& reader) {
   check_plane_keys(general, table, resolved);
   if (general.name.empty()) throw CaseError(table.place, "[case]: name must not be empty");
   if (general.name.find('/') != std::string::npos)
-    throw CaseError(table.find("name")->place, "[case]: name must not contain \"/\", because the folder of a run is called after it");
+    throw CaseError(table.find("name")->place,
+                    "[case]: name must not contain \"/\", because the folder of a run is called after it");
   reader.reading.dimension = general.dimension;
   add_resolved(reader, "case", std::move(resolved));
   add_resolved(reader, "parameters", parameters);

@@ -22,7 +22,6 @@ TEST(RunFolder, NamesOfFiles) {
   EXPECT_EQ(run.history(), folder / "a/b/history.csv");
   EXPECT_EQ(run.series(), folder / "a/b/particles.pvd");
   EXPECT_EQ(run.checkpoint(), folder / "a/b/checkpoint.h5");
-  EXPECT_EQ(run.report(), folder / "a/b/report.html");
   EXPECT_EQ(RunFolder::frame_name(12), "particles/frame_000012.vtu");
   EXPECT_EQ(run.frame(0), folder / "a/b/particles/frame_000000.vtu");
 }
