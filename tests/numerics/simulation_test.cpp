@@ -165,6 +165,34 @@ std::string message_of(const std::string& text) {
   return "no error";
 }
 
+TEST(Simulation, NumbersThatAreNoneAreRefused) {
+  const std::string left = "[region]\nleft = { where = \"X < 0.2\" }\n[[boundary]]\nregion = \"left\"\n";
+  EXPECT_NE(message_of(free_block(2) + left + "velocity = [\"log(-1-X)\", 0]\n")
+                .find("\"log(-1-X)\" is not a finite number at X ="),
+            std::string::npos);
+  EXPECT_NE(message_of(free_block(2) + left + "force = [\"1/t\", 0]\n").find("is not a finite number"), std::string::npos);
+  EXPECT_NE(message_of(free_block(2) + "[body_force]\nacceleration = [\"sqrt(-1 - t)\", 0]\n").find("is not a finite number"),
+            std::string::npos);
+  EXPECT_NE(message_of(free_block(2) + "[[initial]]\nregion = \"block\"\ndisplacement = [\"-2*X\", 0]\n").find("inside out"),
+            std::string::npos);
+  EXPECT_NE(message_of(free_block(2) + "[region]\nlate = { where = \"t < 1\" }\n").find("may use X, Y and Z only"),
+            std::string::npos);
+  const auto later = simulation_of(free_block(2) + left + "velocity = [\"if(t > 0.01, log(-1), 0)\", 0]\n");
+  EXPECT_THROW(run_until(*later, 0.02), SimulationError);
+}
+
+/// A formula over probes that divides by zero gives a number that is none, and the run goes on.
+TEST(Simulation, ProbeFormulas) {
+  const auto simulation = simulation_of(free_block(2,
+                                                   "[[probe]]\nname = \"v\"\nquantity = \"velocity\"\ncomponent = \"x\"\n"
+                                                   "[[probe]]\nname = \"twice\"\nexpression = \"2*v + t\"\n"
+                                                   "[[probe]]\nname = \"none\"\nexpression = \"1/(v - v)\"\n"));
+  run_steps(*simulation, 3);
+  const std::vector<double> p = simulation->probe_values();
+  EXPECT_NEAR(p[1], 2.0 * p[0] + simulation->time(), 1e-15);
+  EXPECT_FALSE(std::isfinite(p[2]));
+}
+
 TEST(Simulation, WrongModelsAreRefused) {
   const std::string second =
       "[[body]]\nname = \"other\"\nmaterial = \"rubber\"\ngeometry = { shape = \"box\", low = [1.9, 0], high = [3, 1], spacing = "

@@ -10,7 +10,27 @@ namespace sinew {
 namespace {
 
 FieldFunction field_function(const Expression& expression) {
-  return {[expression](const Point& X, const Point& x, double t) { return expression(X, x, t); }, expression.depends_on_place()};
+  return {[expression](const Point& X, const Point& x, double t) { return expression(X, x, t); }, expression.depends_on_place(),
+          expression.text()};
+}
+
+/// CaseError unless the expression is a finite number on all of the particles at time 0.
+template <int D>
+void check_finite(const Expression& expression, const std::vector<int>& slots, const Particles<D>& particles,
+                  const Place& place) {
+  for (int slot : slots) {
+    const Point X = particles.reference(slot);
+    if (!std::isfinite(expression(X, particles.current(slot), 0.0)))
+      throw CaseError(place, fmt::format("\"{}\" is not a finite number at X = {:.6g}, Y = {:.6g}, Z = {:.6g}, t = 0",
+                                         expression.text(), X[0], X[1], X[2]));
+    if (!expression.depends_on_place()) return;
+  }
+}
+
+template <int D>
+void check_values(const BoundaryCase& b, const Regions& regions, const Particles<D>& particles) {
+  for (const auto& value : b.value)
+    if (value) check_finite(*value, regions.at(b.region), particles, b.place);
 }
 
 bool is_motion(BoundaryCase::Kind kind) {
@@ -47,6 +67,24 @@ std::vector<double> areas(const BoundaryCase& b, const std::vector<int>& slots, 
   for (std::size_t k = 0; k < slots.size(); ++k)
     area[k] = b.area ? *b.area * area[k] : thickness * std::pow(particles.volume[slots[k]], (D - 1.0) / D);
   return area;
+}
+
+/// Where the particles themselves give the normals of a pressure, those at edges and corners lean outward, and a flat face gets less
+/// than p A; say so if any leans more than 25 degrees from the mean.
+template <int D>
+void warn_of_oblique_normals(const BoundaryCase& b, const std::vector<int>& slots, const Particles<D>& particles,
+                             const TotalLagrangian<D>& solid, std::vector<std::string>& warnings) {
+  if (b.normal) return;
+  Vec<double, D> mean;
+  for (int slot : slots) mean += outward_normal(particles, solid, slot);
+  const double total = norm(mean);
+  long leaning = 0;
+  for (int slot : slots) leaning += dot(outward_normal(particles, solid, slot), mean) < 0.906 * total;
+  if (leaning > 0)
+    warnings.push_back(fmt::format(
+        "pressure on region \"{}\": {} of its {} particles, at edges and corners, have normals that lean from the mean one; "
+        "on a flat face give normal = [...].",
+        b.region, leaning, slots.size()));
 }
 
 /// A pressure p on an area with outward normal N is the force -p N A; component by component.
@@ -99,12 +137,14 @@ Vec<double, D> constant_body_force(const Case& c) {
 }
 
 template <int D>
-PrescribedMotion<D> make_prescribed_motion(const Case& c, const Regions& regions, std::vector<std::string>& warnings) {
+PrescribedMotion<D> make_prescribed_motion(const Case& c, const Regions& regions, const Particles<D>& particles,
+                                           std::vector<std::string>& warnings) {
   std::vector<MotionCondition> conditions;
   std::set<std::pair<int, int>> taken;  // slot, component
   long shared = 0;
   for (auto b = c.boundary.rbegin(); b != c.boundary.rend(); ++b) {
     if (!is_motion(b->kind)) continue;
+    check_values(*b, regions, particles);
     for (int component = 0; component < D; ++component) {
       if (!b->value[component]) continue;
       MotionCondition m{
@@ -127,21 +167,26 @@ PrescribedMotion<D> make_prescribed_motion(const Case& c, const Regions& regions
 }
 
 template <int D>
-Loads<D> make_loads(const Case& c, const Regions& regions, const Particles<D>& particles, const TotalLagrangian<D>& solid) {
+Loads<D> make_loads(const Case& c, const Regions& regions, const Particles<D>& particles, const TotalLagrangian<D>& solid,
+                    std::vector<std::string>& warnings) {
   std::vector<LoadCondition> loads;
   for (const BoundaryCase& b : c.boundary) {
     if (is_motion(b.kind)) continue;
+    check_values(b, regions, particles);
     const std::vector<int>& slots = regions.at(b.region);
     const bool force = b.kind == BoundaryCase::Kind::force;
     const std::vector<double> share =
         force ? shares_by_volume(slots, particles) : areas(b, slots, particles, c.general.thickness);
     if (b.kind == BoundaryCase::Kind::pressure) {
       add_pressure(b, slots, share, particles, solid, loads);
+      warn_of_oblique_normals(b, slots, particles, solid, warnings);
       continue;
     }
     for (int component = 0; component < D; ++component)
       if (b.value[component]) loads.push_back({component, field_function(*b.value[component]), slots, share});
   }
+  for (const Expression& acceleration : c.body_force)
+    check_finite(acceleration, particles.slot_of, particles, Place{"[body_force]"});
   if (!is_constant(c.body_force)) add_body_force(c.body_force, particles, loads);
   return Loads<D>(std::move(loads));
 }
@@ -162,10 +207,14 @@ void set_initial_state(const Case& c, const Regions& regions, Particles<D>& part
 
 template Vec<double, 2> constant_body_force<2>(const Case&);
 template Vec<double, 3> constant_body_force<3>(const Case&);
-template PrescribedMotion<2> make_prescribed_motion<2>(const Case&, const Regions&, std::vector<std::string>&);
-template PrescribedMotion<3> make_prescribed_motion<3>(const Case&, const Regions&, std::vector<std::string>&);
-template Loads<2> make_loads<2>(const Case&, const Regions&, const Particles<2>&, const TotalLagrangian<2>&);
-template Loads<3> make_loads<3>(const Case&, const Regions&, const Particles<3>&, const TotalLagrangian<3>&);
+template PrescribedMotion<2> make_prescribed_motion<2>(const Case&, const Regions&, const Particles<2>&,
+                                                       std::vector<std::string>&);
+template PrescribedMotion<3> make_prescribed_motion<3>(const Case&, const Regions&, const Particles<3>&,
+                                                       std::vector<std::string>&);
+template Loads<2> make_loads<2>(const Case&, const Regions&, const Particles<2>&, const TotalLagrangian<2>&,
+                                std::vector<std::string>&);
+template Loads<3> make_loads<3>(const Case&, const Regions&, const Particles<3>&, const TotalLagrangian<3>&,
+                                std::vector<std::string>&);
 template void set_initial_state<2>(const Case&, const Regions&, Particles<2>&);
 template void set_initial_state<3>(const Case&, const Regions&, Particles<3>&);
 

@@ -14,7 +14,8 @@ using Regions = std::map<std::string, std::vector<int>>;
 /// Prescribed displacements and velocities. Where two conditions prescribe the same component of the same particle, the later one holds;
 /// `warnings` gets a sentence.
 template <int D>
-PrescribedMotion<D> make_prescribed_motion(const Case& c, const Regions& regions, std::vector<std::string>& warnings);
+PrescribedMotion<D> make_prescribed_motion(const Case& c, const Regions& regions, const Particles<D>& particles,
+                                           std::vector<std::string>& warnings);
 
 /// The body force, where it is the same everywhere and at all times; otherwise zero, and it is among the loads.
 template <int D>
@@ -23,7 +24,8 @@ Vec<double, D> constant_body_force(const Case& c);
 /// Forces (shared by volume), tractions and pressures (by area). A particle's own area is one face of its cell, V^((D-1)/D); the normal of a
 /// pressure is the direction away from its neighbors.
 template <int D>
-Loads<D> make_loads(const Case& c, const Regions& regions, const Particles<D>& particles, const TotalLagrangian<D>& solid);
+Loads<D> make_loads(const Case& c, const Regions& regions, const Particles<D>& particles, const TotalLagrangian<D>& solid,
+                    std::vector<std::string>& warnings);
 
 /// Displacements and velocities at time 0.
 template <int D>

@@ -30,16 +30,19 @@ double energy_of(std::string_view name, const Energies& e) {
 }  // namespace
 
 template <int D>
-Probes<D>::Probes(const Case& c, const Regions& regions) : parameters_(c.parameters),
-                                                           units_(c.general.units) {
+Probes<D>::Probes(const Case& c, const Regions& regions) : units_(c.general.units) {
+  std::vector<std::string> variables{"t"};
   for (const ProbeCase& p : c.probes) {
-    Probe probe{p, nullptr, 0, {}};
+    Probe probe{p, nullptr, Expression(), 0, {}};
     if (p.expression.empty()) {
       probe.quantity = find_quantity(p.quantity);
       probe.component = component_index(*probe.quantity, p.component);
       probe.slots = regions.at(p.region.empty() ? "all" : p.region);
       need_record_ = need_record_ || (!probe.quantity->is_total && needs_record(p.quantity));
+    } else {
+      probe.formula = Expression::over(variables, p.expression, c.parameters, p.place);
     }
+    variables.push_back(p.name);
     probes_.push_back(std::move(probe));
   }
 }
@@ -78,17 +81,14 @@ double Probes<D>::total(const Probe& probe, const ProbedState<D>& state) const {
 
 template <int D>
 std::vector<double> Probes<D>::values(const ProbedState<D>& state) const {
-  std::vector<double> values;
-  std::map<std::string, double> names = parameters_;
-  names["t"] = state.time;
+  std::vector<double> known{state.time};  // t and the probes so far, as the formulas name them
   for (const Probe& probe : probes_) {
     if (!probe.quantity)
-      values.push_back(Expression(probe.c.expression, names, probe.c.place, false)(state.time));
+      known.push_back(probe.formula.at(known));
     else
-      values.push_back(probe.quantity->is_total ? total(probe, state) : over_particles(probe, state));
-    names[probe.c.name] = values.back();
+      known.push_back(probe.quantity->is_total ? total(probe, state) : over_particles(probe, state));
   }
-  return values;
+  return {known.begin() + 1, known.end()};
 }
 
 template <int D>

@@ -34,7 +34,8 @@ class Probes {
  private:
   struct Probe {
     ProbeCase c;
-    const QuantityInfo* quantity = nullptr;  ///< nullptr: an expression
+    const QuantityInfo* quantity = nullptr;  ///< nullptr: an expression over t and the probes before it
+    Expression formula;
     int component = 0;
     std::vector<int> slots;
   };
@@ -42,7 +43,6 @@ class Probes {
   double total(const Probe& probe, const ProbedState<D>& state) const;
 
   std::vector<Probe> probes_;
-  std::map<std::string, double> parameters_;
   UnitSystem units_;
   bool need_record_ = false;
 };

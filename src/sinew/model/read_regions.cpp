@@ -18,6 +18,10 @@ RegionCase read_region(const CaseReader& reader, const Node& table, const std::s
   region.name = name;
   region.place = table.place;
   if (table.members.empty()) throw CaseError(table.place, owner + ": give at least one of body, where, box, nearest, set");
+  if (region.where && (region.where->depends_on_time() || region.where->depends_on_current_place()))
+    throw CaseError(table.find("where")->place,
+                    owner + ": where = \"" + region.where->text() +
+                        "\" may use X, Y and Z only: a region is chosen once, in the reference configuration");
   const std::vector<std::string> bodies = body_names(reader);
   if (!region.body.empty() && std::find(bodies.begin(), bodies.end(), region.body) == bodies.end())
     throw CaseError(table.find("body")->place, owner + ": " + unknown_name_message("body", region.body, bodies));

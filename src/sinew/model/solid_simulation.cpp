@@ -51,8 +51,8 @@ SolidSimulation<D>::SolidSimulation(const Case& c, const std::vector<GeneratedBo
       regions_(select_regions(c, bodies, particles_)),
       solid_(particles_, support_radii(c, particles_), options_of(c)),
       forces_(particles_.slots),
-      motion_(make_prescribed_motion<D>(c, regions_, facts_.warnings)),
-      loads_(make_loads(c, regions_, particles_, solid_)),
+      motion_(make_prescribed_motion(c, regions_, particles_, facts_.warnings)),
+      loads_(make_loads(c, regions_, particles_, solid_, facts_.warnings)),
       gravity_(constant_body_force<D>(c)),
       probes_(c, regions_),
       step_size_{c.solver.cfl, solid_.hourglass_time_step(), c.solver.time_step.value_or(0.0)} {
@@ -70,6 +70,12 @@ void SolidSimulation<D>::start() {
   initial_energy_ = energies().total();
   initial_gravity_work_ = gravity_work(gravity_, particles_);
   first_time_step_ = stable_time_step();
+  if (!(summary_.smallest_jacobian > 0.0))
+    throw CaseError(
+        fmt::format("the initial state turns particles inside out (smallest det F = {:.3g}). Check [[initial]] displacement and "
+                    "stretch, and the "
+                    "displacements of [[boundary]] at time 0.",
+                    summary_.smallest_jacobian));
 }
 
 template <int D>

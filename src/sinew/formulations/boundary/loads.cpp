@@ -24,7 +24,7 @@ void Loads<D>::add(const Particles<D>& particles, double t, double dt, double* f
     for (std::size_t k = 0; k < applied.entries.size(); ++k) {
       Entry& entry = applied.entries[k];
       if (k == 0 || applied.function.depends_on_place)
-        value = applied.function.value(particles.reference(entry.slot), particles.current(entry.slot), t);
+        value = applied.function(particles.reference(entry.slot), particles.current(entry.slot), t);
       const double force = entry.share * value;
       force_rows[std::size_t(vector_width<D>) * entry.slot + applied.component] += force;
       if (dt > 0.0)

@@ -12,7 +12,7 @@ struct Samples {
 template <int D>
 Samples sample(const FieldFunction& f, const Particles<D>& particles, int slot, double t, double width) {
   const Point X = particles.reference(slot), x = particles.current(slot);
-  return {f.value(X, x, t - 0.5 * width), f.value(X, x, t), f.value(X, x, t + 0.5 * width)};
+  return {f(X, x, t - 0.5 * width), f(X, x, t), f(X, x, t + 0.5 * width)};
 }
 
 }  // namespace
@@ -44,7 +44,7 @@ void PrescribedMotion<D>::move(Particles<D>& particles, double t, double dt) {
       double& u = particles.place_row(entry.slot)[c.component];
       u = entry.previous_u;
       if (k == 0 || c.function.depends_on_place)
-        value = c.function.value(particles.reference(entry.slot), particles.current(entry.slot), when);
+        value = c.function(particles.reference(entry.slot), particles.current(entry.slot), when);
       u = displacement ? value : entry.previous_u + dt * value;
     }
   }
