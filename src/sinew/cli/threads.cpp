@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <omp.h>
 #include <sinew/core/error.hpp>
+#include <unistd.h>
 
 namespace sinew {
 
@@ -36,6 +37,12 @@ int use_threads(const ComputeOptions& options) {
   omp_set_dynamic(0);
   omp_set_num_threads(threads);
   return threads;
+}
+
+void let_idle_threads_sleep(char** arguments) {
+  if (std::getenv("OMP_WAIT_POLICY") || std::getenv("GOMP_SPINCOUNT")) return;
+  setenv("OMP_WAIT_POLICY", "passive", 1);
+  execv("/proc/self/exe", arguments);  // returns only if it cannot be done: then go on as we are
 }
 
 }  // namespace sinew

@@ -17,11 +17,15 @@ struct Chunk {
 template <int D>
 std::vector<Chunk> make_chunks(const Particles<D>& particles, const PairList& list);
 
+/// Fewer particles than this are done by one thread: starting and joining a team would cost more than it saves.
+inline constexpr int fewest_for_threads = 16384;
+
 /// Calls work(chunk, number) for every chunk, on all threads.
 template <class Work>
 void for_each_chunk(const std::vector<Chunk>& chunks, Work&& work) {
   const int count = static_cast<int>(chunks.size());
-#pragma omp parallel for schedule(dynamic, 1) if (count > 1)
+  const bool many = !chunks.empty() && lanes * chunks.back().end_slice >= fewest_for_threads;
+#pragma omp parallel for schedule(dynamic, 1) if (count > 1 && many)
   for (int c = 0; c < count; ++c) work(chunks[c], c);
 }
 
@@ -30,7 +34,7 @@ template <class Work>
 void for_each_piece(int slots, Work&& work) {
   constexpr int piece = 2048;
   const int count = (slots + piece - 1) / piece;
-#pragma omp parallel for schedule(static) if (count > 1)
+#pragma omp parallel for schedule(static) if (slots >= fewest_for_threads)
   for (int p = 0; p < count; ++p) work(p * piece, slots < (p + 1) * piece ? slots : (p + 1) * piece);
 }
 
