@@ -87,6 +87,7 @@ std::vector<ExpectSummary> check_study(const std::vector<ExpectCase>& expects, s
     if (!included(expect, tier)) continue;
     if (expect.reduction == "rate") {
       rows.push_back(compare(expect, expected_rate(expect, runs)));
+      if (!expect.with.empty()) rows.back().quantity += " (" + parameters_text(expect.with) + ")";
       continue;
     }
     for (const FinishedRun& run : runs) {
