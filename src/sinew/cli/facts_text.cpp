@@ -65,6 +65,11 @@ std::string balance_text(const Case& c, const Energies& e, const Momenta& m, con
   std::string text =
       fmt::format("energy [{}]: kinetic {:.6g}, strain {:.6g}, hourglass {:.6g}, work done {:.6g}, damped {:.6g}\n",
                   units.name_of("J"), e.kinetic, e.strain, e.hourglass, e.external_work, e.dissipated);
+  if (e.strain > 0.0 && e.hourglass > 0.1 * e.strain)
+    text += fmt::format(
+        "  the hourglass energy is {:.0f} % of the strain energy: the particles are too coarse for this deformation, refine "
+        "them\n",
+        100.0 * e.hourglass / e.strain);
   text += fmt::format("  balance: total + damped - work - initial = {:.3e} ({:.1e} of the largest of them)\n", e.balance_error(),
                       relative_balance_error(e));
   text += momentum_line("linear momentum", m.linear, initial.linear, units.name_of("kg m/s")) + "\n";
