@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
 
 #include "run_case.hpp"
 
@@ -167,9 +168,9 @@ std::string message_of(const std::string& text) {
 
 TEST(Simulation, NumbersThatAreNoneAreRefused) {
   const std::string left = "[region]\nleft = { where = \"X < 0.2\" }\n[[boundary]]\nregion = \"left\"\n";
-  EXPECT_NE(message_of(free_block(2) + left + "velocity = [\"log(-1-X)\", 0]\n")
-                .find("\"log(-1-X)\" is not a finite number at X ="),
-            std::string::npos);
+  EXPECT_NE(
+      message_of(free_block(2) + left + "velocity = [\"log(-1-X)\", 0]\n").find("\"log(-1-X)\" is not a finite number at X ="),
+      std::string::npos);
   EXPECT_NE(message_of(free_block(2) + left + "force = [\"1/t\", 0]\n").find("is not a finite number"), std::string::npos);
   EXPECT_NE(message_of(free_block(2) + "[body_force]\nacceleration = [\"sqrt(-1 - t)\", 0]\n").find("is not a finite number"),
             std::string::npos);
@@ -191,6 +192,18 @@ TEST(Simulation, ProbeFormulas) {
   const std::vector<double> p = simulation->probe_values();
   EXPECT_NEAR(p[1], 2.0 * p[0] + simulation->time(), 1e-15);
   EXPECT_FALSE(std::isfinite(p[2]));
+}
+
+TEST(Simulation, PointsAtOnePlaceAreNamed) {
+  const std::string file = ::testing::TempDir() + "sinew_twice.csv";
+  std::ofstream(file) << "x,y,volume\n0,0,1\n1,0,1\n0,1,1\n1,1,1\n1,0,1\n";
+  const std::string text =
+      "[case]\ndimension = 2\n[[body]]\nname = \"dots\"\nmaterial = { model = \"neo_hookean\", density = 1.0, "
+      "youngs_modulus = 1.0, poissons_ratio = 0.3 }\ngeometry = { shape = \"points\", file = \"" +
+      file + "\" }\n[solver]\nend_time = 1.0\n";
+  EXPECT_NE(message_of(text).find("body \"dots\": points 1 and 4 (counted from 0) are at the same place, (1, 0, 0)"),
+            std::string::npos)
+      << message_of(text);
 }
 
 TEST(Simulation, WrongModelsAreRefused) {

@@ -25,6 +25,19 @@ double bytes_per_particle(const Case& c) {
 
 constexpr double memory_share = 0.9;  // of the machine's memory; the system needs the rest
 
+/// Points of a file may repeat; two at one place have no distance to weigh.
+void check_coincidence(const BodyCase& c, const GeneratedBody& body) {
+  const std::vector<Point>& points = body.points.position;
+  const CellList cells(points, body.spacing);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    cells.for_each_within(points[i], 1e-6 * body.spacing, [&](int j, double) {
+      if (static_cast<std::size_t>(j) != i)
+        throw CaseError(c.geometry_place, fmt::format("body \"{}\": points {} and {} (counted from 0) are at the same place, "
+                                                      "({:.6g}, {:.6g}, {:.6g}). Remove one of them.",
+                                                      c.name, i, j, points[i][0], points[i][1], points[i][2]));
+    });
+}
+
 /// A body closer to another one than half a spacing counts as overlapping.
 void check_overlap(const Case& c, const std::vector<GeneratedBody>& bodies) {
   for (std::size_t a = 0; a < bodies.size(); ++a) {
@@ -65,6 +78,7 @@ std::vector<GeneratedBody> generate_bodies(const Case& c) {
                       fmt::format("body \"{}\" has no particles. Make its spacing smaller than its shape.", body.name));
     made.spacing = mean_spacing(made.points, c.general.dimension);
     particles += static_cast<double>(made.points.size());
+    if (made.points.spacing == 0.0) check_coincidence(body, made);
     bodies.push_back(std::move(made));
   }
   check_overlap(c, bodies);
