@@ -19,12 +19,13 @@ void check_folder(const std::string& path, bool force) {
   if (taken && !force) RunFolder::create(path, false);
 }
 
-void check_picture(const std::string& file) {
+/// The picture is written last: what is wrong with its name is better known first. Its folder may be the run folder, which is yet to be made.
+void check_picture(const std::string& file, const std::string& run_folder) {
   if (file.empty()) return;
   if (!file.ends_with(".png")) throw CaseError("--picture: the name of the file must end with .png, found \"" + file + "\"");
-  const fs::path parent = fs::path(file).parent_path();
+  const fs::path parent = fs::absolute(file).lexically_normal().parent_path();
   std::error_code ignored;
-  if (!parent.empty() && !fs::is_directory(parent, ignored) && !fs::exists(parent.parent_path(), ignored))
+  if (!fs::is_directory(parent, ignored) && parent != fs::absolute(run_folder + "/").lexically_normal().parent_path())
     throw CaseError("--picture: there is no folder " + parent.string());
 }
 
@@ -43,11 +44,11 @@ RunResult run_case(const Case& c, const RunPlan& plan) {
 
 int run_verb(const RunOptions& options) {
   const int threads = use_threads(options);
-  check_picture(options.picture);
   const CaseInput input = read_case_input(options.case_path, options.overrides);
   const Case c = make_case(input.root, input.folder);
   listen_for_interruption();
   RunPlan plan{options.folder.empty() ? "runs/" + c.general.name : options.folder, options.force, options.quiet, "", {}};
+  check_picture(options.picture, plan.folder);
   plan.control = {options.picture, options.tier, threads};
   if (!c.study.vary.empty()) return run_study(input, c, plan);
   return exit_code(run_case(c, plan).summary.status);

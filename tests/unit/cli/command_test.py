@@ -35,6 +35,18 @@ class Runs(CommandTest):
         self.assertEqual(frames, len(list((run / "particles").iterdir())))
         self.assertEqual(frames, 6)
 
+    def test_the_picture_may_go_into_the_run_folder(self):
+        self.succeed("run", self.case, "-o", "new/run", "--picture", "new/run/last.png")
+        self.assertTrue((self.folder / "new/run/last.png").is_file())
+        message = self.fail_with(2, "run", self.case, "-o", "other", "--picture", "nowhere/last.png")
+        self.assertIn("--picture: there is no folder", message)
+        self.assertFalse((self.folder / "other").exists())
+
+    def test_max_steps_alone_ends_a_run(self):
+        text = CASE.replace("end_time = 0.01", "max_steps = 7").replace('every = "end_time/5"', "every = 0")
+        self.succeed("run", self.write("steps.toml", text), "-o", "steps")
+        self.assertEqual(self.summary("steps")["steps"], 7)
+
     def test_probe_extremes_are_those_of_the_history(self):
         self.succeed("run", self.case, "-o", "out")
         with open(self.folder / "out/history.csv", encoding="utf-8") as file:
