@@ -14,7 +14,7 @@ namespace sinew {
 ///     conservative:  f = w e_ij,                             w = alpha/32 E_i V_i V_j a_ij / sum_k V_k a_ik r_ik^2
 ///     central:       f = w (e_ij.x_ij / |x_ij|^2) x_ij,      w = alpha/4 or alpha/2 times E_i V_i V_j W_ij / r_ij^2
 ///
-/// with a_ij = |dW/dr| / r [N/m]. Conservative is the gradient of sum w |e|^2 / 2, since F_i (with the gradient correction) is what minimizes
+/// with a_ij = |dW/dr| / r [1/m^(D+2)], f in N and w in N/m. Conservative is the gradient of sum w |e|^2 / 2, since F_i (with the gradient correction) is what minimizes
 /// that sum; it is the energy of Ren et al. (2020), eq. 21-27, with alpha E / 64 as its penalty modulus. Central is the published force, Ganzenmueller
 /// (2015), eq. 25-32, and Islam & Peng (2019), eq. 42-47. Central has no potential: undamped, it feeds high-frequency
 /// motion at large strains or on uneven particles until the run fails (docs/decisions/0003). Both conserve linear and angular momentum.
