@@ -28,10 +28,10 @@ StVenantKirchhoff material() {
   return m;
 }
 
-/// The published central form, which the plain solver has too.
-HourglassStiffness hourglass() {
+/// The form of the hourglass force; the plain solver has both.
+HourglassStiffness hourglass(bool conservative) {
   HourglassStiffness h;
-  h.normalization.value = "half";
+  h.normalization.value = conservative ? "conservative" : "half";
   return h;
 }
 
@@ -52,10 +52,11 @@ PointSet block(int n, double jitter) {
 
 /// The plain solver with the particles in the same order and with the same neighbors.
 template <int D>
-plain::Solver<D> plain_solver(const Particles<D>& particles, const PairList& list) {
+plain::Solver<D> plain_solver(const Particles<D>& particles, const PairList& list, bool conservative) {
   const StVenantKirchhoff m = material();
   plain::Solver<D> solver;
-  solver.c = {m.elastic.lambda(), m.elastic.mu(), m.elastic.youngs_modulus, support, hourglass().coefficient()};
+  solver.c = {m.elastic.lambda(), m.elastic.mu(), m.elastic.youngs_modulus, support, hourglass(conservative).coefficient(),
+              conservative};
   std::vector<int> number(particles.slots, -1);
   for (int slot = 0, next = 0; slot < particles.slots; ++slot)
     if (particles.user_index[slot] >= 0) number[slot] = next++;
@@ -63,11 +64,9 @@ plain::Solver<D> plain_solver(const Particles<D>& particles, const PairList& lis
   for (int slot = 0; slot < particles.slots; ++slot) {
     if (number[slot] < 0) continue;
     plain::Particle<D> p{};
-    for (int c = 0; c < D; ++c) {
-      p.X[c] = particles.place_row(slot)[vector_width<D> + c];
-      p.x[c] = p.X[c] + particles.place_row(slot)[c];
-      p.v[c] = particles.velocity_row(slot)[c];
-    }
+    p.X = particles.position[slot];
+    p.x = p.X + particles.displacement[slot];
+    p.v = particles.velocity[slot];
     p.volume = p.mass = 1.0;
     solver.particles.push_back(p);
     for (int n = 0; n < list.neighbor_count[slot]; ++n)
@@ -82,9 +81,9 @@ template <int D>
 void set_motion(Particles<D>& particles) {
   for (int slot : particles.slot_of)
     for (int c = 0; c < D; ++c) {
-      const double X = particles.place_row(slot)[vector_width<D> + (c + 1) % D];
-      particles.place_row(slot)[c] = 0.05 * std::sin(0.3 * X + c);
-      particles.velocity_row(slot)[c] = 0.01 * std::cos(0.2 * X - c);
+      const double X = particles.position.at((c + 1) % D, slot);
+      particles.displacement.at(c, slot) = 0.05 * std::sin(0.3 * X + c);
+      particles.velocity.at(c, slot) = 0.01 * std::cos(0.2 * X - c);
     }
 }
 
@@ -96,7 +95,7 @@ double largest_difference(const Particles<D>& particles, const plain::Solver<D>&
     if (particles.user_index[slot] < 0) continue;
     const plain::Particle<D>& p = solver.particles[next++];
     for (int c = 0; c < D; ++c) {
-      worst = std::max(worst, std::abs(particles.acceleration_row(slot)[c] - p.f[c]));
+      worst = std::max(worst, std::abs(particles.acceleration.at(c, slot) - p.f[c]));
       largest = std::max(largest, std::abs(p.f[c]));
     }
   }
@@ -110,6 +109,8 @@ double median(std::vector<double> values) {
 
 struct Options {
   int size3 = 64, size2 = 512, repeats = 5, threads = 1;
+  bool conservative = true;
+  WeightStorage weights = WeightStorage::stored;
 };
 
 template <int D>
@@ -118,15 +119,15 @@ void run(int n, double jitter, const Options& o) {
   Particles<D> particles = make_particles<D>({{"block", &points, 1.0, 1.0}}, 1.0);
   const Stopwatch setup;
   const TotalLagrangian<D> solid(particles, std::vector<double>(particles.slots, support),
-                                 {Spiky{}, GradientCorrection{}, hourglass(), {material()}, false, 1.0});
+                                 {Spiky{}, GradientCorrection{}, hourglass(o.conservative), {material()}, false, 1.0, o.weights});
   const double setup_seconds = setup.seconds();
   set_motion(particles);
-  ForceStreams<D> forces(particles.slots);
-  plain::Solver<D> solver = plain_solver(particles, solid.pairs());
+  ForceStreams<D> forces = solid.make_streams();
+  plain::Solver<D> solver =
+      plain_solver(particles, build_pair_list(particles, std::vector<double>(particles.slots, support)), o.conservative);
   const double dt = 0.05;
   auto accelerate = [&](double step) {
-    solid.internal_forces(particles, forces);
-    accelerate_and_kick(particles, forces, Vec<double, D>{}, step, 0.0);
+    solid.internal_forces(particles, forces, AccelerateAndKick<D>{particles, forces, {}, step, 0.0});
   };
   accelerate(0.0);
   solver.compute_forces();
@@ -144,7 +145,10 @@ void run(int n, double jitter, const Options& o) {
     const Stopwatch pairs_only;
     solid.internal_forces(particles, forces);
     sweep.push_back(pairs_only.seconds());
-    for (AlignedArray<double>& stream : forces.stream) std::fill(stream.begin(), stream.end(), 0.0);
+    for (int s = 0; s < 2; ++s) {
+      std::fill(forces.rows[s].begin(), forces.rows[s].end(), 0.0);
+      forces.fields[s].clear();
+    }
     const Stopwatch slow;
     solver.step(dt);
     theirs.push_back(slow.seconds());
@@ -176,8 +180,14 @@ int main(int count, char** words) {
       o.repeats = value;
     else if (word == "--threads")
       o.threads = value;
+    else if (word == "--weights")
+      o.weights = words[k + 1][1] == 't'   ? WeightStorage::stored
+                  : words[k + 1][1] == 'i' ? WeightStorage::single
+                                           : WeightStorage::computed;
+    else if (word == "--conservative")
+      o.conservative = value != 0;
     else
-      return fmt::print("unknown option {}; known: --size --size2 --repeats --threads\n", word), 2;
+      return fmt::print("unknown option {}; known: --size --size2 --repeats --threads --conservative\n", word), 2;
   }
   omp_set_num_threads(o.threads);
   fmt::print("one step of St. Venant-Kirchhoff with hourglass control, {} thread(s), median of {}\n", o.threads, o.repeats);

@@ -15,10 +15,13 @@ struct Particle {
   Vec<double, D> X, x, v, f;
   Mat<double, D> F, P, L;
   double volume, mass;
+  double hourglass_scale;  ///< 1 / sum_k V_k a_ik r_ik^2
 };
 
 struct Constants {
-  double lambda, mu, youngs_modulus, radius, hourglass;  ///< hourglass: coefficient of one particle's share, alpha / 4
+  double lambda, mu, youngs_modulus, radius;
+  double hourglass;   ///< coefficient of one particle's share: alpha / 4, or alpha / 32 for the conservative form
+  bool conservative;  ///< which form of hourglass force
 };
 
 template <int D>
@@ -39,6 +42,7 @@ class Solver {
         M += (-b.volume * slope(r) / r) * outer(X, X);
       }
       particles[i].L = inverse(M);
+      particles[i].hourglass_scale = 1.0 / trace(M);
     }
   }
 
@@ -84,14 +88,28 @@ class Solver {
   }
 
   void compute_force(std::size_t i) {
+    if (c.conservative)
+      sum_force<true>(i);
+    else
+      sum_force<false>(i);
+  }
+
+  template <bool conservative>
+  void sum_force(std::size_t i) {
     Particle<D>& a = particles[i];
     Vec<double, D> force;
     for (std::size_t k = first[i]; k < first[i + 1]; ++k) {
       const Particle<D>& b = particles[neighbors[k]];
       const Vec<double, D> X = b.X - a.X, x = b.x - a.x;
-      const double r = norm(X), length = norm(x);
+      const double r = norm(X);
       const double weight = -a.volume * b.volume * slope(r) / r;
       force += weight * (a.P * (a.L * X) + b.P * (b.L * X));
+      if (conservative) {
+        const double stiffness = c.hourglass * c.youngs_modulus * weight;
+        force += stiffness * (a.hourglass_scale * (x - a.F * X) + b.hourglass_scale * (x - b.F * X));
+        continue;
+      }
+      const double length = norm(x);
       const double delta = dot(a.F * X, x) / length - length + dot(b.F * X, x) / length - length;
       force -= (c.hourglass * c.youngs_modulus * a.volume * b.volume * value(r) / (r * r) * delta / length) * x;
     }

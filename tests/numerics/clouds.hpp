@@ -49,24 +49,11 @@ Cloud<D> make_cloud(int n, double jitter, double support, bool uneven, int bodie
 template <int D>
 void displace(Particles<D>& particles, const Mat<double, D>& A, double bump) {
   for (int slot = 0; slot < particles.slots; ++slot) {
-    double* row = particles.place_row(slot);
-    const double* X = row + vector_width<D>;
-    for (int i = 0; i < D; ++i) {
-      row[i] = bump * std::sin(0.7 * X[(i + 1) % D] + 0.4 * X[i] + i);
-      for (int j = 0; j < D; ++j) row[i] += (A[i][j] - (i == j)) * X[j];
-    }
+    const Vec<double, D> X = particles.position[slot];
+    Vec<double, D> u = A * X - X;
+    for (int i = 0; i < D; ++i) u[i] += bump * std::sin(0.7 * X[(i + 1) % D] + 0.4 * X[i] + i);
+    particles.displacement.set(slot, u);
   }
-}
-
-/// Sum of both streams of one particle; clears nothing.
-template <int D>
-Vec<double, D> force_on(const ForceStreams<D>& forces, int slot) {
-  Vec<double, D> f;
-  for (int c = 0; c < D; ++c) {
-    const std::size_t at = std::size_t(vector_width<D>) * slot + c;
-    f[c] = forces.stream[0][at] + forces.stream[1][at];
-  }
-  return f;
 }
 
 template <class Material>

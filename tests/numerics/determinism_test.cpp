@@ -43,13 +43,12 @@ TEST(Determinism, ChunksOfOneStreamDoNotMeet) {
   std::vector<int> owner[2] = {std::vector<int>(cloud.particles.slots, -1), std::vector<int>(cloud.particles.slots, -1)};
   for (std::size_t c = 0; c < solid.chunks().size(); ++c) {
     const Chunk& chunk = solid.chunks()[c];
-    for (int s = chunk.first_slice; s < chunk.end_slice; ++s)
-      for (std::size_t e = solid.pairs().first_entry[s]; e < solid.pairs().first_entry[s + 1]; ++e)
-        for (int k = 0; k < lanes; ++k) {
-          int& who = owner[chunk.stream][solid.pairs().entry(e)[k]];
-          EXPECT_TRUE(who == -1 || who == static_cast<int>(c));
-          who = static_cast<int>(c);
-        }
+    for (int slot = lanes * chunk.first_slice; slot < lanes * chunk.end_slice; ++slot)
+      for (int j : solid.neighbors(slot)) {
+        int& who = owner[chunk.stream][j];
+        EXPECT_TRUE(who == -1 || who == static_cast<int>(c));
+        who = static_cast<int>(c);
+      }
   }
 }
 

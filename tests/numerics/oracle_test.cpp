@@ -36,7 +36,7 @@ reference::Method<D> reference_method(const AnyMaterial& material, bool correcte
 template <int D, class Kernel>
 double difference(const Cloud<D>& cloud, const TotalLagrangianOptions& options) {
   const TotalLagrangian<D> solid(cloud.particles, cloud.radius, options);
-  ForceStreams<D> forces(cloud.particles.slots);
+  ForceStreams<D> forces = solid.make_streams();
   solid.internal_forces(cloud.particles, forces);
   double worst = 0.0, largest = 0.0;
   for (std::size_t b = 0; b < cloud.particles.bodies.size(); ++b) {
@@ -45,12 +45,8 @@ double difference(const Cloud<D>& cloud, const TotalLagrangianOptions& options) 
     const double modulus = std::visit([](const auto& m) { return m.elastic.youngs_modulus; }, material);
     std::vector<reference::Particle<D>> slow;
     for (int slot = body.begin; slot < body.begin + body.count; ++slot) {
-      reference::Particle<D> p{{}, {}, cloud.particles.volume[slot], cloud.radius[slot], modulus};
-      for (int c = 0; c < D; ++c) {
-        p.X[c] = cloud.particles.place_row(slot)[vector_width<D> + c];
-        p.u[c] = cloud.particles.place_row(slot)[c];
-      }
-      slow.push_back(p);
+      slow.push_back({cloud.particles.position[slot], cloud.particles.displacement[slot], cloud.particles.volume[slot],
+                      cloud.radius[slot], modulus});
     }
     reference::Method<D> method = reference_method<D, Kernel>(
         material, std::holds_alternative<GradientCorrection>(options.correction), options.plane_stress);
@@ -58,7 +54,7 @@ double difference(const Cloud<D>& cloud, const TotalLagrangianOptions& options) 
     method.conservative = !options.hourglass || options.hourglass->conservative();
     const auto expected = method.forces(slow);
     for (int i = 0; i < body.count; ++i) {
-      worst = std::max(worst, norm(force_on(forces, body.begin + i) - expected[i]));
+      worst = std::max(worst, norm(forces.on(body.begin + i) - expected[i]));
       largest = std::max(largest, norm(expected[i]));
     }
   }

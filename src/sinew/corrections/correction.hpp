@@ -8,10 +8,12 @@
 ///
 ///     struct Name {
 ///       static constexpr std::string_view name, summary, source;
-///       static constexpr bool radial;                // the shift is always zero: g_ij is L (a_ij X_ij) times a number
+///       static constexpr bool radial;                // g_ij = M^-1 (a_ij X_ij): scale 1, no shift, L the inverse of M
 ///       static void describe(auto&& field, auto& m);
 ///       template <int D> GradientMap<D> map(const Moments<D>& moments) const;
 ///     };
+///
+/// `map` carries SINEW_POINTWISE, so that a device has it too (tools/check_device.py).
 
 #include <sinew/core/vec.hpp>
 #include <string_view>

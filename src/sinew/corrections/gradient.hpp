@@ -19,7 +19,7 @@ struct GradientCorrection {
   static void describe(auto&&, auto&) {}
 
   template <int D>
-  GradientMap<D> map(const Moments<D>& moments) const {
+  SINEW_POINTWISE GradientMap<D> map(const Moments<D>& moments) const {
     const Mat<double, D>& M = moments.first;
     double isotropic = 1.0;
     for (int i = 0; i < D; ++i) isotropic *= trace(M) / D;

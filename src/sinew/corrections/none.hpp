@@ -9,11 +9,11 @@ struct NoCorrection {
   static constexpr std::string_view name = "none";
   static constexpr std::string_view summary = "The gradient of the kernel as it is";
   static constexpr std::string_view source = "Gingold & Monaghan (1977)";
-  static constexpr bool radial = true;
+  static constexpr bool radial = false;
   static void describe(auto&&, auto&) {}
 
   template <int D>
-  GradientMap<D> map(const Moments<D>&) const {
+  SINEW_POINTWISE GradientMap<D> map(const Moments<D>&) const {
     return {};
   }
 };

@@ -14,7 +14,7 @@ struct ShepardCorrection {
   static void describe(auto&&, auto&) {}
 
   template <int D>
-  GradientMap<D> map(const Moments<D>& moments) const {
+  SINEW_POINTWISE GradientMap<D> map(const Moments<D>& moments) const {
     GradientMap<D> map;
     map.valid = moments.shepard_sum > 0.0;
     if (!map.valid) return map;

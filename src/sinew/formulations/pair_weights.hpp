@@ -4,15 +4,25 @@
 
 #include <sinew/core/params.hpp>
 #include <sinew/corrections/registry.hpp>
+#include <sinew/formulations/pair_weight.hpp>
 #include <sinew/kernels/registry.hpp>
-#include <sinew/neighbors/pair_list.hpp>
+#include <sinew/neighbors/lattice_patterns.hpp>
 #include <string>
 #include <vector>
 
 namespace sinew {
 
+/// How the weights of listed pairs are kept. All give the same results to rounding but `single`, whose weights are rounded to float before
+/// the correction is built from them: gradients stay exact for linear fields.
+enum class WeightStorage {
+  stored,    ///< double precision
+  single,    ///< single precision, half the memory
+  computed,  ///< not at all: from the reference positions in each step
+};
+
 /// Weight of a pair in the hourglass force of i, besides its coefficient, E_i and V_i.
 enum class HourglassWeight {
+  none,
   conservative,  ///< V_j a_ij / sum_k V_k a_ik r_ik^2
   central        ///< V_j W_ij / r_ij^2
 };
@@ -21,23 +31,71 @@ enum class HourglassWeight {
 template <int D>
 inline constexpr int symmetric_size = D*(D + 1) / 2;
 
-template <int D>
-struct PairWeights {
-  /// Radial corrections: entry e, lane k holds V_j |dW/dr| / r [1/length^2]. Others: D times as many, V_j g_ij component by component.
-  AlignedArray<double> gradient;
-  AlignedArray<double> stiffness;        ///< entry e, lane k: hourglass weight of the pair, see HourglassWeight [1/length^2]
-  AlignedArray<double> correction;       ///< slice s, component c, lane k: L, symmetric, upper triangle; not used if not radial
-  AlignedArray<double> inverse_length2;  ///< per slot: 1 / length^2, length the smaller of V^(1/D) and the nearest distance
-  AlignedArray<double> stiffness_sum;    ///< per slot: sum of `stiffness` over its neighbors [1/length^2]
-  bool radial = true;
-  std::size_t bytes() const {
-    return gradient.bytes() + stiffness.bytes() + correction.bytes() + inverse_length2.bytes() + stiffness_sum.bytes();
+struct WeightOptions {
+  AnyKernel kernel;
+  AnyCorrection correction;
+  HourglassWeight hourglass = HourglassWeight::conservative;
+  WeightStorage storage = WeightStorage::stored;
+
+  /// One number a pair is enough for the gradient; otherwise vectors are stored.
+  bool radial() const {
+    return std::visit([](const auto& c) { return c.radial; }, correction);
+  }
+  /// Pairs need a second number: V_j W_ij / r_ij^2, or any hourglass weight where gradients are vectors.
+  bool hourglass_weights() const {
+    return hourglass == HourglassWeight::central || (!radial() && hourglass == HourglassWeight::conservative);
   }
 };
 
-/// Computes the weights. A particle whose neighbors do not allow the correction is a CaseError that names it.
+/// Of listed pairs: entry e, lane k stands at 8 e + k.
+template <class Scalar>
+struct StoredPairs {
+  AlignedArray<Scalar> gradient;   ///< V_j a_ij [1/length^2]; vectors: D times as many, V_j g_ij component by component
+  AlignedArray<Scalar> hourglass;  ///< hourglass weight [1/length^2]; empty where not needed
+  std::size_t bytes() const { return gradient.bytes() + hourglass.bytes(); }
+};
+
+/// What eight particles need besides their pairs, in the layout in which it is kept.
 template <int D>
-PairWeights<D> make_pair_weights(const Particles<D>& particles, const PairList& list, const std::vector<double>& support_radius,
-                                 const AnyKernel& kernel, const AnyCorrection& correction, HourglassWeight hourglass);
+struct SliceConstants {
+  Pack correction[symmetric_size<D>];  ///< L, upper triangle; the identity where pairs have vectors
+  Pack volume;                         ///< V_i [length^D]
+  Pack hourglass_scale;                ///< 1 / sum_k V_k a_ik r_ik^2 for the conservative form, 1 for the central one [1]
+  Pack inverse_length2;                ///< 1 / length^2, length the smaller of V^(1/D) and the nearest distance
+
+  SINEW_INLINE Mat<Pack, D> L() const {
+    Mat<Pack, D> full;
+    for (int i = 0, c = 0; i < D; ++i)
+      for (int j = i; j < D; ++j, ++c) full[i][j] = full[j][i] = correction[c];
+    return full;
+  }
+};
+
+template <int D>
+struct PairWeights {
+  StoredPairs<double> pairs;
+  StoredPairs<float> single_pairs;
+  std::vector<BondWeight<double, D, true>> bonds;  ///< of LatticePatterns::bonds
+  AlignedArray<SliceConstants<D>> constants;       ///< one a lattice pattern, then one a slice with a pair list
+  std::vector<int> constants_of;                   ///< slice -> its constants
+  AlignedArray<double> radius;                     ///< per slot: support radius R_i [length]
+  std::vector<double> most_stiffness;              ///< per body: largest sum of the hourglass weights of a particle [1/length^2]
+  std::size_t bytes() const {
+    return pairs.bytes() + single_pairs.bytes() + constants.bytes() + constants_of.size() * sizeof(int) + radius.bytes();
+  }
+};
+
+/// Where the pairs are.
+template <int D>
+struct PairSource {
+  const Particles<D>& particles;
+  const PairList& list;
+  const LatticePatterns<D>& lattice;
+};
+
+/// Computes the weights. A particle whose neighbors do not allow the correction is a CaseError that names it. `support_radius`: per slot [length].
+template <int D>
+PairWeights<D> make_pair_weights(const PairSource<D>& source, const std::vector<double>& support_radius,
+                                 const WeightOptions& options);
 
 }  // namespace sinew

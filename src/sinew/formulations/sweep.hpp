@@ -1,155 +1,153 @@
 #pragma once
-/// The one sweep over the pairs of a chunk. The loops are in neighbors/for_each.hpp; what stands here is what happens at a point.
+/// The one sweep over the particles of a chunk. The loops over pairs are in neighbors/, the physics of a point in pair_force.hpp and in the materials.
 
+#include <algorithm>
 #include <cmath>
+#include <sinew/formulations/pair_force.hpp>
 #include <sinew/formulations/sweep_dispatch.hpp>
-#include <sinew/neighbors/for_each.hpp>
+#include <sinew/formulations/weight_source.hpp>
+#include <sinew/neighbors/lattice_pairs.hpp>
+#include <sinew/neighbors/listed_pairs.hpp>
 
 namespace sinew {
 
-/// Weighted gradient of the kernel from a stored scalar: V_j a_ij X_ij; the correction L is applied once a particle.
-template <int D>
-struct RadialGradient {
-  const double* weight;
-  const double* correction;
+/// Sums and extremes over the slices of a chunk, lane by lane.
+struct SweepSums {
+  Pack energy{0.0}, hourglass_energy{0.0}, jacobian{infinity}, stiffness_rate{0.0};
 
-  SINEW_INLINE Vec<Pack, D> operator()(const PairPack<D>& pair) const { return Pack::load(weight + lanes * pair.entry) * pair.X; }
-  SINEW_INLINE Mat<Pack, D> matrix(int slice) const {
-    const double* first = correction + std::size_t(lanes) * symmetric_size<D> * slice;
-    Mat<Pack, D> L;
-    for (int i = 0, c = 0; i < D; ++i)
-      for (int j = i; j < D; ++j, ++c) L[i][j] = L[j][i] = Pack::load(first + lanes * c);
-    return L;
+  ForceSummary total(double density) const {
+    return {sum(energy), sum(hourglass_energy), smallest(jacobian), largest(stiffness_rate) / density};
   }
 };
-
-/// Weighted gradient from stored vectors V_j g_ij, complete as they are.
-template <int D>
-struct StoredGradient {
-  const double* vector;
-
-  SINEW_INLINE Vec<Pack, D> operator()(const PairPack<D>& pair) const {
-    Vec<Pack, D> g;
-    for (int c = 0; c < D; ++c) g[c] = Pack::load(vector + lanes * (D * pair.entry + c));
-    return g;
-  }
-  SINEW_INLINE Mat<Pack, D> matrix(int) const { return Mat<Pack, D>::identity(); }
-};
-
-/// No hourglass force.
-struct NoHourglass {};
-/// The two forms of HourglassStiffness.
-struct ConservativeHourglass {
-  template <int D>
-  static SINEW_INLINE auto share(const Mat<Pack, D>& F, const PairPack<D>& pair, const Pack& weight) {
-    return HourglassStiffness::conservative_share(F, pair.X, pair.X + pair.u, weight);
-  }
-};
-struct CentralHourglass {
-  template <int D>
-  static SINEW_INLINE auto share(const Mat<Pack, D>& F, const PairPack<D>& pair, const Pack& weight) {
-    return HourglassStiffness::central_share(F, pair.X, pair.X + pair.u, weight);
-  }
-};
-
-/// F of eight particles.
-template <int D, class Gradient>
-SINEW_INLINE Mat<Pack, D> deformation_gradient(const PairList& list, const double* places, int slice, const PlacePack<D>& own,
-                                               const Gradient& gradient, const Mat<Pack, D>& L) {
-  Mat<Pack, D> sum;
-  for_each_pair<D>(list, places, slice, own, [&](const PairPack<D>& pair) { sum += outer(pair.u, gradient(pair)); });
-  return Mat<Pack, D>::identity() + sum * L;
-}
-
-/// The law that holds once F33 is known: the material itself, or what a plane-stress wrapper holds.
-template <class Material>
-SINEW_INLINE const auto& bulk_law(const Material& material) {
-  if constexpr (requires { typename Material::Bulk; })
-    return static_cast<const typename Material::Bulk&>(material);
-  else
-    return material;
-}
-
-/// F in three dimensions: F33 is 1 in plane strain and follows from the material in plane stress.
-template <int D, class Material>
-SINEW_INLINE Mat3<Pack> in_three_dimensions(const Material& material, const Mat<Pack, D>& F) {
-  Mat3<Pack> F3 = embed(F, Pack(1.0));
-  if constexpr (requires { material.thickness_stretch(F3); }) F3[2][2] = material.thickness_stretch(F3);
-  return F3;
-}
 
 /// Keeps what `record` asks for, lane after lane.
-inline void keep(RecordedState& state, int slice, const Mat3<Pack>& F, const Response<Pack, NoState>& response,
-                 const Pack& error2) {
+template <int D, class Pairs>
+void keep(RecordedState& state, int slice, const Mat<Pack, D>& F, const PointResponse<D>& point, const Pairs& pairs) {
+  Pack error2(0.0);
+  pairs.visit([&](const auto& weight, const Vec<Pack, D>& u, const Vec<Pack, D>& X) {
+    const Vec<Pack, D> e = F * X - (X + u);
+    error2 = max(error2, select(weight.present(), dot(e, e) / (dot(X, X) + 1e-200), Pack(0.0)));
+  });
+  const Mat3<Pack> F3 = embed(F, point.thickness_stretch), P3 = embed(point.P, point.thickness_stress);
   for (int k = 0; k < lanes; ++k) {
     const std::size_t slot = std::size_t(lanes) * slice + k;
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j) {
-        state.deformation_gradient[9 * slot + 3 * i + j] = F[i][j][k];
-        state.stress[9 * slot + 3 * i + j] = response.P[i][j][k];
-      }
-    state.energy_density[slot] = response.energy[k];
+    for (int c = 0; c < 9; ++c) {
+      state.deformation_gradient[9 * slot + c] = F3[c / 3][c % 3][k];
+      state.stress[9 * slot + c] = P3[c / 3][c % 3][k];
+    }
+    state.energy_density[slot] = point.energy[k];
     state.hourglass_error[slot] = std::sqrt(error2[k]);
   }
 }
 
-template <int D, class Hourglass, bool recording, class Gradient, class Material>
-ForceSummary sweep_chunk(const SweepTask<D>& task, const Gradient& gradient, const Material& material) {
-  const PairList& list = task.list;
-  const double* places = task.particles.place.data();
-  Pack energy(0.0), hourglass_energy(0.0), jacobian(infinity), rate2(0.0);
-  for (int slice = task.chunk.first_slice; slice < task.chunk.end_slice; ++slice) {
-    const PlacePack<D> own = load_slice<D>(places, slice);
-    const Mat<Pack, D> L = gradient.matrix(slice);
-    const Mat<Pack, D> F = deformation_gradient<D>(list, places, slice, own, gradient, L);
+/// A slice on its way through the sweep.
+template <int D>
+struct SliceInWork {
+  Mat<Pack, D> S, F;
+  PointResponse<D> point;
+};
 
-    const Mat3<Pack> F3 = in_three_dimensions<D>(material, F);
-    const auto response = bulk_law(material).respond(F3);
-    const Pack volume = Pack::load(task.particles.volume.data() + lanes * slice) * task.scalars.thickness;
-    energy += volume * response.energy;
-    jacobian = min(jacobian, determinant(F3));
-    rate2 =
-        max(rate2, bulk_law(material).acoustic_stiffness(F3) * Pack::load(task.weights.inverse_length2.data() + lanes * slice));
-
-    // the share of i of each pair force is linear in its stress and in its deformation gradient
-    const Mat<Pack, D> Q = (volume * in_plane<D>(response.P)) * L;
-    const Pack stiffness = volume * task.scalars.hourglass;
-    exchange_pairs<D>(list, places, slice, own, task.force_rows, [&](const PairPack<D>& pair) {
-      Vec<Pack, D> t = Q * gradient(pair);
-      if constexpr (!std::is_same_v<Hourglass, NoHourglass>) {
-        const auto share = Hourglass::share(F, pair, stiffness * Pack::load(task.weights.stiffness.data() + lanes * pair.entry));
-        hourglass_energy += share.energy;
-        t += share.force;
-      }
-      return t;
-    });
-
-    if constexpr (recording) {
-      Pack error2(0.0);
-      for_each_pair<D>(list, places, slice, own, [&](const PairPack<D>& pair) {
-        const Vec<Pack, D> error = F * pair.X - (pair.X + pair.u);
-        error2 = max(error2, dot(error, error) / (dot(pair.X, pair.X) + 1e-200));
-      });
-      keep(*task.record, slice, F3, response, error2);
-    }
-  }
-  return {sum(energy), sum(hourglass_energy), smallest(jacobian), largest(rate2) / task.scalars.density};
+/// S and F of eight particles.
+template <int D, class Pairs>
+SINEW_INLINE void find_deformation(const SliceConstants<D>& constants, Pairs& pairs, SliceInWork<D>& slice) {
+  Mat<Pack, D> S;
+  pairs.first_visit([&](const auto& weight, const Vec<Pack, D>& u, const Vec<Pack, D>& X) { S += outer(u, weight.vector(X)); });
+  slice.S = S;
+  slice.F = Mat<Pack, D>::identity() + S * constants.L();
 }
 
-/// Chooses the sweep for what a case combines. One choice a chunk, outside of all loops.
-template <int D, class Material>
-ForceSummary sweep_chunk_of(const SweepTask<D>& task, const Material& material) {
-  auto with = [&]<class Hourglass>(const auto& gradient) {
-    if (task.record) return sweep_chunk<D, Hourglass, true>(task, gradient, material);
-    return sweep_chunk<D, Hourglass, false>(task, gradient, material);
+/// Forces of eight particles and their pairs, once the material has answered.
+template <int D, class Shares, class Pairs>
+SINEW_INLINE void give_forces(const SweepTask<D>& task, const SliceConstants<D>& constants, Pairs& pairs,
+                              const SliceInWork<D>& slice, SweepSums& sums) {
+  const PointResponse<D>& point = slice.point;
+  const Pack volume = constants.volume * task.thickness;
+  sums.energy += volume * point.energy;
+  sums.jacobian = min(sums.jacobian, point.jacobian);
+  sums.stiffness_rate = max(sums.stiffness_rate, point.acoustic_stiffness * constants.inverse_length2);
+
+  const Pack stiffness = volume * task.hourglass * constants.hourglass_scale;
+  Shares shares(PointState<D>{(volume * point.P) * constants.L(), slice.F, slice.S, stiffness});
+  pairs.exchange(shares);
+  sums.hourglass_energy += shares.hourglass_energy();
+}
+
+/// Slices [begin, end), all of them with a pair list or all with a lattice pattern. A few go together, so that the long chains of operations in
+/// their materials overlap.
+template <int D, class Shares, class Pairs>
+void sweep_slices(const SweepTask<D>& task, Pairs pairs, int begin, int end, SweepSums& sums) {
+  constexpr int together = Pairs::slices_together;
+  SliceInWork<D> slices[together];
+  const auto constants = [&](int slice) -> const SliceConstants<D>& {
+    return task.weights.constants[task.weights.constants_of[slice]];
   };
-  auto choose = [&](const auto& gradient) {
-    if (task.scalars.hourglass == 0.0) return with.template operator()<NoHourglass>(gradient);
-    if (task.scalars.conservative) return with.template operator()<ConservativeHourglass>(gradient);
-    return with.template operator()<CentralHourglass>(gradient);
-  };
-  if (task.weights.radial) return choose(RadialGradient<D>{task.weights.gradient.data(), task.weights.correction.data()});
-  return choose(StoredGradient<D>{task.weights.gradient.data()});
+  for (int first = begin; first < end; first += together) {
+    const int count = std::min(together, end - first);
+    for (int k = 0; k < count; ++k) {
+      pairs.enter(first + k);
+      find_deformation(constants(first + k), pairs, slices[k]);
+    }
+    for (int k = 0; k < count; ++k) task.material(slices[k].F, slices[k].point);
+    for (int k = 0; k < count; ++k) {
+      pairs.enter(first + k);
+      give_forces<D, Shares>(task, constants(first + k), pairs, slices[k], sums);
+      if (task.record) keep(*task.record, first + k, slices[k].F, slices[k].point, pairs);
+    }
+  }
+}
+
+/// Sweeps a chunk with weights from `listed` and from the bonds of the lattice, each run of slices its own way.
+template <int D, class Shares, class Weights>
+ForceSummary sweep_runs(const SweepTask<D>& task, const Weights& listed) {
+  SweepSums sums;
+  const std::vector<int>& pattern = task.source.lattice.of_slice;
+  const int stream = task.chunk.stream;
+  for (int begin = task.chunk.first_slice, end; begin < task.chunk.end_slice; begin = end) {
+    const bool regular = pattern[begin] != LatticePatterns<D>::none;
+    for (end = begin + 1; end < task.chunk.end_slice && (pattern[end] != LatticePatterns<D>::none) == regular;) ++end;
+    if (!regular) {
+      const ListedPairsData<D> data{task.source.list, task.place_rows, task.forces.rows[stream].data(), task.kept};
+      sweep_slices<D, Shares>(task, ListedPairs<D, Weights>(data, listed), begin, end, sums);
+    } else if constexpr (Weights::radial) {
+      using Bonds = BondWeights<D, Shares::hourglass_weights>;
+      const LatticePairsData<D> data{task.source.lattice, task.source.particles.displacement, task.forces.fields[stream]};
+      sweep_slices<D, Shares>(task, LatticePairs<D, Bonds>(data, {task.weights.bonds.data()}), begin, end, sums);
+    }
+  }
+  return sums.total(task.density);
+}
+
+/// Chooses by how weights are kept. One choice a chunk, outside of all loops.
+template <int D, class Shares>
+ForceSummary sweep_with(const SweepTask<D>& task) {
+  constexpr bool hourglass = Shares::hourglass_weights;
+  const PairWeights<D>& w = task.weights;
+  switch (task.options.storage) {
+    case WeightStorage::single:
+      return sweep_runs<D, Shares>(
+          task, StoredWeights<float, hourglass>{w.single_pairs.gradient.data(), w.single_pairs.hourglass.data()});
+    case WeightStorage::computed:
+      return std::visit(
+          [&]<class Kernel>(const Kernel&) {
+            return sweep_runs<D, Shares>(
+                task, ComputedWeights<Kernel, hourglass>{task.source.particles.volume.data(), w.radius.data()});
+          },
+          task.options.kernel);
+    default:
+      return sweep_runs<D, Shares>(task, StoredWeights<double, hourglass>{w.pairs.gradient.data(), w.pairs.hourglass.data()});
+  }
+}
+
+/// Chooses by the form of hourglass force.
+template <int D>
+ForceSummary choose_sweep(const SweepTask<D>& task) {
+  const bool central = task.options.hourglass == HourglassWeight::central;
+  if (task.options.radial())
+    return central ? sweep_with<D, SeparateShares<D, CentralForm>>(task) : sweep_with<D, ConservativeShares<D>>(task);
+  const double* hourglass = task.weights.pairs.hourglass.size() > 0 ? task.weights.pairs.hourglass.data() : nullptr;
+  const StoredVectors<D> vectors{task.weights.pairs.gradient.data(), hourglass};
+  if (central) return sweep_runs<D, SeparateShares<D, CentralForm>>(task, vectors);
+  return sweep_runs<D, SeparateShares<D, ConservativeForm>>(task, vectors);
 }
 
 }  // namespace sinew

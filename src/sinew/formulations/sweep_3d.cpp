@@ -3,8 +3,8 @@
 namespace sinew {
 
 template <>
-ForceSummary sweep_any_chunk<3>(const SweepTask<3>& task, const AnyMaterial& any, bool) {
-  return std::visit([&](const auto& material) { return sweep_chunk_of<3>(task, material); }, any);
+ForceSummary sweep_chunk<3>(const SweepTask<3>& task) {
+  return choose_sweep(task);
 }
 
 }  // namespace sinew

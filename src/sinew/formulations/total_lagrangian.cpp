@@ -1,5 +1,6 @@
 #include <sinew/formulations/sweep_dispatch.hpp>
 #include <sinew/formulations/total_lagrangian.hpp>
+#include <sinew/neighbors/listed_pairs.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -21,17 +22,11 @@ template <int D>
 double hourglass_limit(const Particles<D>& particles, const PairWeights<D>& weights, const TotalLagrangianOptions& options) {
   double omega2 = 0.0;
   for (std::size_t b = 0; b < particles.bodies.size(); ++b) {
-    const BodyRange& body = particles.bodies[b];
-    const double most = *std::max_element(weights.stiffness_sum.begin() + body.begin, weights.stiffness_sum.begin() + body.end);
     const AnyMaterial& material = options.materials[b];
-    const double stiffness = options.hourglass->coefficient() * youngs_modulus_of(material) * most;
+    const double stiffness = options.hourglass->coefficient() * youngs_modulus_of(material) * weights.most_stiffness[b];
     omega2 = std::max(omega2, 4.0 * stiffness / density_of(material) / (options.hourglass->conservative() ? 1.0 : D));
   }
   return omega2 > 0.0 ? 2.0 / std::sqrt(omega2) : infinity;
-}
-
-HourglassWeight weight_of(const std::optional<HourglassStiffness>& hourglass) {
-  return hourglass && !hourglass->conservative() ? HourglassWeight::central : HourglassWeight::conservative;
 }
 
 }  // namespace
@@ -40,25 +35,72 @@ template <int D>
 TotalLagrangian<D>::TotalLagrangian(const Particles<D>& particles, const std::vector<double>& support_radius,
                                     TotalLagrangianOptions options)
     : options_(std::move(options)),
+      slots_(particles.slots),
       list_(build_pair_list(particles, support_radius)),
-      weights_(make_pair_weights(particles, list_, support_radius, options_.kernel, options_.correction,
-                                 weight_of(options_.hourglass))),
       chunks_(make_chunks(particles, list_)),
-      chunk_summaries_(chunks_.size()) {
+      countdown_(chunks_) {
+  const WeightOptions weights = weight_options();
+  lattice_ = options_.lattice && weights.radial() ? find_lattice_patterns(particles, list_, support_radius)
+                                                  : no_lattice_patterns(particles);
+  drop_lattice_slices(list_, lattice_);
+  weights_ = make_pair_weights<D>({particles, list_, lattice_}, support_radius, weights);
+  chunk_summaries_.resize(chunks_.size());
+  if (list_.entries() > 0) {
+    place_rows_ = AlignedArray<double>(std::size_t(place_width<D>) * slots_);
+    for (int slot = 0; slot < slots_; ++slot)
+      for (int c = 0; c < D; ++c)
+        place_rows_[std::size_t(place_width<D>) * slot + vector_width<D> + c] = particles.position.at(c, slot);
+  }
   if (options_.hourglass) hourglass_time_step_ = hourglass_limit(particles, weights_, options_);
 }
 
 template <int D>
-ForceSummary TotalLagrangian<D>::sweep(const Particles<D>& particles, ForceStreams<D>& forces, RecordedState* record) const {
-  for_each_chunk(chunks_, [&](const Chunk& chunk, int number) {
+WeightOptions TotalLagrangian<D>::weight_options() const {
+  HourglassWeight hourglass = HourglassWeight::none;
+  if (options_.hourglass)
+    hourglass = options_.hourglass->conservative() ? HourglassWeight::conservative : HourglassWeight::central;
+  return {options_.kernel, options_.correction, hourglass, options_.weights};
+}
+
+template <int D>
+ForceStreams<D> TotalLagrangian<D>::make_streams() const {
+  return ForceStreams<D>(slots_, list_.entries() > 0 || lattice_.slices() == 0, lattice_.slices() > 0);
+}
+
+/// Copies the displacements to the rows, and sees to it that every thread has room; only the first call and more threads allocate.
+template <int D>
+void TotalLagrangian<D>::prepare_scratch(const Particles<D>& particles) const {
+  if (list_.entries() == 0) return;
+  const std::size_t threads = most_threads();
+  std::size_t longest = 0;
+  for (int s = 0; kept_.size() < threads && s < list_.slices(); ++s)
+    longest = std::max(longest, list_.first_entry[s + 1] - list_.first_entry[s]);
+  while (kept_.size() < threads) kept_.emplace_back(longest * numbers_kept<D> * lanes);
+  for_each_piece(slots_, [&](int begin, int end) {
+    for (int c = 0; c < D; ++c) {
+      const double* u = particles.displacement.component(c);
+      double* row = place_rows_.data() + c;
+      for (int slot = begin; slot < end; ++slot) row[std::size_t(place_width<D>) * slot] = u[slot];
+    }
+  });
+}
+
+template <int D>
+ForceSummary TotalLagrangian<D>::sweep(const Particles<D>& particles, ForceStreams<D>& forces, RecordedState* record,
+                                       Finish finish) const {
+  prepare_scratch(particles);
+  const PairSource<D> source{particles, list_, lattice_};
+  const WeightOptions weights = weight_options();
+  const auto work = [&](const Chunk& chunk, int number) {
     const AnyMaterial& material = options_.materials[chunk.body];
     const double hourglass = options_.hourglass ? options_.hourglass->coefficient() * youngs_modulus_of(material) : 0.0;
-    const SweepScalars scalars{density_of(material), options_.thickness, hourglass,
-                               options_.hourglass && options_.hourglass->conservative()};
+    double* kept = kept_.empty() ? nullptr : kept_[this_thread()].data();
     chunk_summaries_[number] =
-        sweep_any_chunk<D>({chunk, list_, particles, weights_, scalars, forces.stream[chunk.stream].data(), record}, material,
-                           options_.plane_stress);
-  });
+        sweep_chunk<D>({chunk, source, weights_, weights, material_point<D>(material, options_.plane_stress), options_.thickness,
+                        density_of(material), hourglass, place_rows_.data(), kept, forces, record});
+  };
+  for_each_chunk(chunks_, countdown_, work,
+                 [&](const Chunk& chunk) { finish(lanes * chunk.first_slice, lanes * chunk.end_slice); });
   ForceSummary total;
   for (const ForceSummary& part : chunk_summaries_) {
     total.strain_energy += part.strain_energy;
@@ -70,14 +112,38 @@ ForceSummary TotalLagrangian<D>::sweep(const Particles<D>& particles, ForceStrea
 }
 
 template <int D>
+Vec<double, D> TotalLagrangian<D>::toward_neighbors(const Particles<D>& particles, int slot) const {
+  Vec<double, D> sum;
+  std::visit(
+      [&]<class Kernel>(const Kernel&) {
+        for (int j : neighbors(slot)) {
+          const Vec<double, D> X = particles.position[j] - particles.position[slot];
+          sum += radial_weight<Kernel, false>(X, particles.volume[j], weights_.radius[slot]).gradient * X;
+        }
+      },
+      options_.kernel);
+  return sum;
+}
+
+template <int D>
+std::size_t TotalLagrangian<D>::bytes() const {
+  return list_.bytes() + lattice_.bytes() + weights_.bytes() + place_rows_.bytes();
+}
+
+template <int D>
 ForceSummary TotalLagrangian<D>::internal_forces(const Particles<D>& particles, ForceStreams<D>& forces) const {
-  return sweep(particles, forces, nullptr);
+  return sweep(particles, forces, nullptr, [](int, int) {});
+}
+
+template <int D>
+ForceSummary TotalLagrangian<D>::internal_forces(const Particles<D>& particles, ForceStreams<D>& forces, Finish finish) const {
+  return sweep(particles, forces, nullptr, finish);
 }
 
 template <int D>
 ForceSummary TotalLagrangian<D>::record(const Particles<D>& particles, RecordedState& state) const {
-  if (!unused_forces_) unused_forces_ = std::make_unique<ForceStreams<D>>(particles.slots);
-  return sweep(particles, *unused_forces_, &state);
+  if (!unused_forces_) unused_forces_ = std::make_unique<ForceStreams<D>>(make_streams());
+  return sweep(particles, *unused_forces_, &state, [](int, int) {});
 }
 
 template class TotalLagrangian<2>;

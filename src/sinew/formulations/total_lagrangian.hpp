@@ -9,8 +9,9 @@
 
 #include <memory>
 #include <optional>
+#include <sinew/core/function_ref.hpp>
+#include <sinew/formulations/material_point.hpp>
 #include <sinew/formulations/pair_weights.hpp>
-#include <sinew/materials/registry.hpp>
 #include <sinew/neighbors/chunks.hpp>
 #include <sinew/stabilization/registry.hpp>
 
@@ -44,6 +45,8 @@ struct TotalLagrangianOptions {
   std::vector<AnyMaterial> materials;  ///< one a body
   bool plane_stress = false;
   double thickness = 1.0;
+  WeightStorage weights = WeightStorage::stored;
+  bool lattice = true;  ///< look for regular arrangements
 };
 
 template <int D>
@@ -52,28 +55,44 @@ class TotalLagrangian {
   /// `support_radius`: per slot. The particles stay with the caller; only their reference configuration is used here.
   TotalLagrangian(const Particles<D>& particles, const std::vector<double>& support_radius, TotalLagrangianOptions options);
 
-  /// Pair forces of the current displacements into the streams, which hold zeros on entry.
+  /// Room for the pair forces, zeros.
+  ForceStreams<D> make_streams() const;
+  /// Called with slots [begin, end) whose forces are complete, as soon as they are, from any thread.
+  using Finish = FunctionRef<void(int begin, int end)>;
+  /// Adds the pair forces of the current displacements to the streams.
+  ForceSummary internal_forces(const Particles<D>& particles, ForceStreams<D>& forces, Finish finish) const;
   ForceSummary internal_forces(const Particles<D>& particles, ForceStreams<D>& forces) const;
   /// The same sweep, keeping F, P and energies of every particle.
   ForceSummary record(const Particles<D>& particles, RecordedState& state) const;
 
   /// Upper limit of the time step from the hourglass stiffness, 2 / omega; infinity without it.
   double hourglass_time_step() const { return hourglass_time_step_; }
-  const PairList& pairs() const { return list_; }
-  const PairWeights<D>& weights() const { return weights_; }
+  /// sum_j V_j |dW/dr| / r X_ij: points from a particle to its neighbors [1/length].
+  Vec<double, D> toward_neighbors(const Particles<D>& particles, int slot) const;
+  std::vector<int> neighbors(int slot) const { return neighbors_of(slot, list_, lattice_); }
+  const PairList& pairs() const { return list_; }  ///< of slices without a lattice pattern; the counts are complete
+  const LatticePatterns<D>& lattice() const { return lattice_; }
   const std::vector<Chunk>& chunks() const { return chunks_; }
   const TotalLagrangianOptions& options() const { return options_; }
-  std::size_t bytes() const { return list_.bytes() + weights_.bytes(); }
+  std::size_t bytes() const;
 
  private:
-  ForceSummary sweep(const Particles<D>& particles, ForceStreams<D>& forces, RecordedState* record) const;
+  ForceSummary sweep(const Particles<D>& particles, ForceStreams<D>& forces, RecordedState* record, Finish finish) const;
+
+  WeightOptions weight_options() const;
+  void prepare_scratch(const Particles<D>& particles) const;
 
   TotalLagrangianOptions options_;
+  int slots_;
   PairList list_;
-  PairWeights<D> weights_;
   std::vector<Chunk> chunks_;
+  mutable ChunkCountdown countdown_;
+  LatticePatterns<D> lattice_;
+  PairWeights<D> weights_;
   double hourglass_time_step_ = infinity;
   mutable std::vector<ForceSummary> chunk_summaries_;       ///< scratch, one a chunk
+  mutable AlignedArray<double> place_rows_;                 ///< scratch: {u, X} of all particles, if any slice has a pair list
+  mutable std::vector<AlignedArray<double>> kept_;          ///< scratch, one a thread: the pairs of a slice
   mutable std::unique_ptr<ForceStreams<D>> unused_forces_;  ///< scratch of `record`
 };
 

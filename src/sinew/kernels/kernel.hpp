@@ -10,6 +10,7 @@
 ///       template <int D, class T, class Radius> static T slope(const T& r, const Radius& R);   // [1/length^(D+1)], <= 0
 ///     };
 ///
+/// `value` and `slope` carry SINEW_INLINE, so that a device has them too (tools/check_device.py).
 /// `T` is double, Pack or Dual; `Radius` is double, or Pack for one radius a lane. No kernel branches: pieces are positive parts.
 
 #include <numbers>

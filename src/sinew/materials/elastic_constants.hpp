@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <sinew/core/device.hpp>
 #include <sinew/core/params.hpp>
 #include <string>
 
@@ -28,8 +29,8 @@ struct ElasticConstants {
   /// Computes all five from the two that were given. Returns what is wrong, or nothing. To be called once, after reading.
   std::optional<std::string> complete();
 
-  double mu() const { return shear_modulus; }
-  double lambda() const { return lame_lambda; }
+  SINEW_INLINE double mu() const { return shear_modulus; }
+  SINEW_INLINE double lambda() const { return lame_lambda; }
 };
 
 }  // namespace sinew

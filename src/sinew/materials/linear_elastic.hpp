@@ -19,12 +19,13 @@ struct LinearElastic {
     ElasticConstants::describe(field, m.elastic);
   }
 
-  template <class T>
-  SINEW_INLINE Response<T, NoState> respond(const Mat3<T>& F, const NoState& = {}, double = 0.0) const {
-    const Mat3<T> I = Mat3<T>::identity();
-    const Mat3<T> e = T(0.5) * (F + transpose(F)) - I;
+  template <class M>
+  SINEW_INLINE Response<M, NoState> respond(const M& F, const NoState& = {}, double = 0.0) const {
+    using T = ScalarOf<M>;
+    const M I = M::identity();
+    const M e = T(0.5) * (F + transpose(F)) - I;
     const T dilation = trace(e);
-    Response<T, NoState> r;
+    Response<M, NoState> r;
     r.P = (T(elastic.lambda()) * dilation) * I + T(2.0 * elastic.mu()) * e;
     r.energy = T(0.5 * elastic.lambda()) * dilation * dilation + T(elastic.mu()) * double_dot(e, e);
     return r;
@@ -32,7 +33,7 @@ struct LinearElastic {
 
   /// A_iJkL = lambda d_iJ d_kL + mu (d_ik d_JL + d_iL d_Jk).
   template <class T>
-  Tangent<T> tangent(const Mat3<T>&) const {
+  SINEW_POINTWISE Tangent<T> tangent(const Mat3<T>&) const {
     const Mat3<T> I = Mat3<T>::identity();
     Tangent<T> A = T(elastic.lambda()) * dyad(I, I) + T(elastic.mu()) * Tangent<T>::identity();
     for (int i = 0; i < 3; ++i)
@@ -41,9 +42,9 @@ struct LinearElastic {
   }
 
   /// The tangent is constant: lambda + 2 mu.
-  template <class T>
-  SINEW_INLINE T acoustic_stiffness(const Mat3<T>&) const {
-    return T(elastic.lambda() + 2.0 * elastic.mu());
+  template <class M>
+  SINEW_INLINE ScalarOf<M> acoustic_stiffness(const M&) const {
+    return elastic.lambda() + 2.0 * elastic.mu();
   }
 };
 

@@ -20,14 +20,15 @@ struct NeoHookean {
     ElasticConstants::describe(field, m.elastic);
   }
 
-  template <class T>
-  SINEW_INLINE Response<T, NoState> respond(const Mat3<T>& F, const NoState& = {}, double = 0.0) const {
+  template <class M>
+  SINEW_INLINE Response<M, NoState> respond(const M& F, const NoState& = {}, double = 0.0) const {
     using std::log;
+    using T = ScalarOf<M>;
     const T lambda(elastic.lambda()), mu(elastic.mu());
-    const Mat3<T> H = cofactor(F);
+    const M H = cofactor(F);
     const T J = determinant(F);
     const T log_J = log(J);
-    Response<T, NoState> r;
+    Response<M, NoState> r;
     r.P = mu * F + ((lambda * log_J - mu) / J) * H;
     r.energy = T(0.5) * mu * (double_dot(F, F) - T(3.0)) + log_J * (T(0.5) * lambda * log_J - mu);
     return r;
@@ -36,7 +37,7 @@ struct NeoHookean {
   /// A = mu I + ((lambda ln J - mu) / J) d^2J/dFdF + ((lambda + mu - lambda ln J) / J^2) H (x) H, H = cof F. The middle term with
   /// -mu is missing in Ren et al. (2020), eq. 61.
   template <class T>
-  Tangent<T> tangent(const Mat3<T>& F) const {
+  SINEW_POINTWISE Tangent<T> tangent(const Mat3<T>& F) const {
     using std::log;
     const T lambda(elastic.lambda()), mu(elastic.mu());
     const Mat3<T> H = cofactor(F);
@@ -48,11 +49,12 @@ struct NeoHookean {
 
   /// The acoustic tensor is mu I + (lambda + mu - lambda ln J) a (x) a, a = F^-T N; |a|^2 is at most the largest eigenvalue of
   /// C^-1.
-  template <class T>
-  SINEW_INLINE T acoustic_stiffness(const Mat3<T>& F) const {
+  template <class M>
+  SINEW_INLINE ScalarOf<M> acoustic_stiffness(const M& F) const {
     using std::log;
+    using T = ScalarOf<M>;
     const T lambda(elastic.lambda()), mu(elastic.mu());
-    const Mat3<T> inverse_F = inverse(F);
+    const M inverse_F = inverse(F);
     const T bulk_part = max(lambda + mu - lambda * log(determinant(F)), T(0.0));
     return mu + bulk_part * largest_eigenvalue_bound(inverse_F * transpose(inverse_F));
   }

@@ -21,13 +21,14 @@ struct NeoHookeanIsochoric {
     ElasticConstants::describe(field, m.elastic);
   }
 
-  template <class T>
-  SINEW_INLINE Response<T, NoState> respond(const Mat3<T>& F, const NoState& = {}, double = 0.0) const {
+  template <class M>
+  SINEW_INLINE Response<M, NoState> respond(const M& F, const NoState& = {}, double = 0.0) const {
+    using T = ScalarOf<M>;
     const double kappa = elastic.bulk_modulus, mu = elastic.mu();
-    const Mat3<T> H = cofactor(F);
+    const M H = cofactor(F);
     const T J = determinant(F);
     const T square = double_dot(F, F), growth = J - T(1.0), m = shape_modulus(J);
-    Response<T, NoState> r;
+    Response<M, NoState> r;
     r.P = m * F + (T(kappa) * growth - T(1.0 / 3.0) * m * square / J) * H;
     r.energy = T(0.5) * (m * square - T(3.0 * mu)) + T(0.5 * kappa) * growth * growth;
     return r;
@@ -36,7 +37,7 @@ struct NeoHookeanIsochoric {
   /// A = m I - 2m/(3J) (F (x) H + H (x) F) + (kappa + 5m/(9 J^2) F:F) H (x) H + (kappa (J - 1) - m/(3J) F:F) d^2J/dFdF,
   /// m = mu J^-2/3.
   template <class T>
-  Tangent<T> tangent(const Mat3<T>& F) const {
+  SINEW_POINTWISE Tangent<T> tangent(const Mat3<T>& F) const {
     const T kappa(elastic.bulk_modulus);
     const Mat3<T> H = cofactor(F);
     const T J = determinant(F);
@@ -51,9 +52,10 @@ struct NeoHookeanIsochoric {
   /// other N gives more: in the plane of a and b the last terms have the trace k |a|^2 - 4m/3 and the determinant (2m/3)^2 (1 -
   /// |a|^2 |b|^2), and |b|^2 <= t^2 + s^2 - t^2 s^2 |a|^2 with the largest stretch t; so the claim is k (k / s^2 - 4m/3) >=
   /// (2m/3)^2 (t^2 - s^2), which F:F >= t^2 + 2 s^2 implies.
-  template <class T>
-  SINEW_INLINE T acoustic_stiffness(const Mat3<T>& F) const {
-    const Mat3<T> inverse_F = inverse(F);
+  template <class M>
+  SINEW_INLINE ScalarOf<M> acoustic_stiffness(const M& F) const {
+    using T = ScalarOf<M>;
+    const M inverse_F = inverse(F);
     const T J = determinant(F), m = shape_modulus(J);
     const T k = T(elastic.bulk_modulus) * J * J + T(5.0 / 9.0) * m * double_dot(F, F);
     return k * largest_eigenvalue_bound(inverse_F * transpose(inverse_F)) - T(1.0 / 3.0) * m;

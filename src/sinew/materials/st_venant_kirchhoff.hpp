@@ -20,11 +20,12 @@ struct StVenantKirchhoff {
     ElasticConstants::describe(field, m.elastic);
   }
 
-  template <class T>
-  SINEW_INLINE Response<T, NoState> respond(const Mat3<T>& F, const NoState& = {}, double = 0.0) const {
-    const Mat3<T> E = green_lagrange(F);
+  template <class M>
+  SINEW_INLINE Response<M, NoState> respond(const M& F, const NoState& = {}, double = 0.0) const {
+    using T = ScalarOf<M>;
+    const M E = green_lagrange(F);
     const T dilation = trace(E);
-    Response<T, NoState> r;
+    Response<M, NoState> r;
     r.P = F * second_piola_kirchhoff(E);
     r.energy = T(0.5 * elastic.lambda()) * dilation * dilation + T(elastic.mu()) * double_dot(E, E);
     return r;
@@ -32,7 +33,7 @@ struct StVenantKirchhoff {
 
   /// A_iJkL = d_ik S_JL + lambda F_iJ F_kL + mu (b_ik d_JL + F_iL F_kJ), b = F F^T.
   template <class T>
-  Tangent<T> tangent(const Mat3<T>& F) const {
+  SINEW_POINTWISE Tangent<T> tangent(const Mat3<T>& F) const {
     const T mu(elastic.mu());
     const Mat3<T> S = second_piola_kirchhoff(green_lagrange(F));
     const Mat3<T> b = F * transpose(F);
@@ -51,21 +52,23 @@ struct StVenantKirchhoff {
 
   /// The acoustic tensor is (lambda + mu) F N (x) F N + mu b + S_NN I. Each term is largest for N along the largest principal
   /// stretch s, which gives (lambda + 3 mu) s^2 + lambda tr(E) - mu.
-  template <class T>
-  SINEW_INLINE T acoustic_stiffness(const Mat3<T>& F) const {
+  template <class M>
+  SINEW_INLINE ScalarOf<M> acoustic_stiffness(const M& F) const {
+    using T = ScalarOf<M>;
     const double lambda = elastic.lambda(), mu = elastic.mu();
-    const Mat3<T> C = transpose(F) * F;
+    const M C = transpose(F) * F;
     return T(lambda + 3.0 * mu) * largest_eigenvalue_bound(C) + T(0.5 * lambda) * (trace(C) - T(3.0)) - T(mu);
   }
 
  private:
-  template <class T>
-  static SINEW_INLINE Mat3<T> green_lagrange(const Mat3<T>& F) {
-    return T(0.5) * (transpose(F) * F - Mat3<T>::identity());
+  template <class M>
+  static SINEW_INLINE M green_lagrange(const M& F) {
+    return ScalarOf<M>(0.5) * (transpose(F) * F - M::identity());
   }
-  template <class T>
-  SINEW_INLINE Mat3<T> second_piola_kirchhoff(const Mat3<T>& E) const {
-    return (T(elastic.lambda()) * trace(E)) * Mat3<T>::identity() + T(2.0 * elastic.mu()) * E;
+  template <class M>
+  SINEW_INLINE M second_piola_kirchhoff(const M& E) const {
+    using T = ScalarOf<M>;
+    return (T(elastic.lambda()) * trace(E)) * M::identity() + T(2.0 * elastic.mu()) * E;
   }
 };
 

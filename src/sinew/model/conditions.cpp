@@ -37,19 +37,12 @@ bool is_motion(BoundaryCase::Kind kind) {
   return kind == BoundaryCase::Kind::displacement || kind == BoundaryCase::Kind::velocity;
 }
 
-/// Unit vector away from the neighbors of a particle, by the hourglass weights of its pairs.
+/// Unit vector away from the neighbors of a particle.
 template <int D>
 Vec<double, D> outward_normal(const Particles<D>& particles, const TotalLagrangian<D>& solid, int slot) {
-  const PairList& list = solid.pairs();
-  Vec<double, D> sum;
-  const Point own = particles.reference(slot);
-  for (int n = 0; n < list.neighbor_count[slot]; ++n) {
-    const std::size_t at = lanes * (list.first_entry[slot / lanes] + n) + slot % lanes;
-    const Point X = particles.reference(list.neighbor[at]) - own;
-    for (int c = 0; c < D; ++c) sum[c] -= solid.weights().stiffness[at] * X[c];
-  }
-  const double length = norm(sum);
-  return length > 0.0 ? (1.0 / length) * sum : sum;
+  const Vec<double, D> inward = solid.toward_neighbors(particles, slot);
+  const double length = norm(inward);
+  return length > 0.0 ? (-1.0 / length) * inward : inward;
 }
 
 template <int D>
@@ -196,11 +189,10 @@ void set_initial_state(const Case& c, const Regions& regions, Particles<D>& part
   for (const InitialCase& initial : c.initial)
     for (int slot : regions.at(initial.region)) {
       const Point X = particles.reference(slot);
-      double* u = particles.place_row(slot);
       for (int i = 0; i < D; ++i) {
-        if (initial.stretch) u[i] = ((*initial.stretch)[i] - 1.0) * X[i];
-        if (initial.displacement) u[i] = initial_value(initial, (*initial.displacement)[i], X);
-        if (initial.velocity) particles.velocity_row(slot)[i] = initial_value(initial, (*initial.velocity)[i], X);
+        if (initial.stretch) particles.displacement.at(i, slot) = ((*initial.stretch)[i] - 1.0) * X[i];
+        if (initial.displacement) particles.displacement.at(i, slot) = initial_value(initial, (*initial.displacement)[i], X);
+        if (initial.velocity) particles.velocity.at(i, slot) = initial_value(initial, (*initial.velocity)[i], X);
       }
     }
 }

@@ -22,11 +22,11 @@ Components flat(const Mat3<double>& m) {
   return tensor;
 }
 
-/// Values of a vector row as three components.
+/// A vector as three components.
 template <int D>
-Components from_row(const double* row, double factor = 1.0) {
+Components from_vector(const Vec<double, D>& v, double factor = 1.0) {
   Components vector{{}, 3};
-  for (int c = 0; c < D; ++c) vector.value[c] = factor * row[c];
+  for (int c = 0; c < D; ++c) vector.value[c] = factor * v[c];
   return vector;
 }
 
@@ -66,10 +66,10 @@ bool needs_record(std::string_view quantity) { return !unrecorded.contains(quant
 template <int D>
 Components particle_quantity(std::string_view q, int slot, const Particles<D>& particles, const TotalLagrangian<D>& solid,
                              const RecordedState* state) {
-  if (q == "displacement") return from_row<D>(particles.place_row(slot));
-  if (q == "velocity") return from_row<D>(particles.velocity_row(slot));
-  if (q == "acceleration") return from_row<D>(particles.acceleration_row(slot));
-  if (q == "force") return from_row<D>(particles.acceleration_row(slot), particles.mass[slot]);
+  if (q == "displacement") return from_vector(particles.displacement[slot]);
+  if (q == "velocity") return from_vector(particles.velocity[slot]);
+  if (q == "acceleration") return from_vector(particles.acceleration[slot]);
+  if (q == "force") return from_vector(particles.acceleration[slot], particles.mass[slot]);
   if (q == "position") {
     const Point x = particles.current(slot);
     return {{x[0], x[1], x[2]}, 3};

@@ -71,9 +71,9 @@ double Probes<D>::total(const Probe& probe, const ProbedState<D>& state) const {
   if (name == "angular_momentum") return component_of(state.momenta.angular, probe.component);
   if (name == "reaction_force") {
     Point sum;
-    const std::vector<double> rows = state.motion.reaction_rows(state.particles.slots);
+    const VectorField<D> reactions = state.motion.reaction_field(state.particles.slots);
     for (int slot : probe.slots)
-      for (int c = 0; c < D; ++c) sum[c] += rows[std::size_t(vector_width<D>) * slot + c];
+      for (int c = 0; c < D; ++c) sum[c] += reactions.at(c, slot);
     return component_of(sum, probe.component);
   }
   return energy_of(name, state.energies);

@@ -50,7 +50,7 @@ SolidSimulation<D>::SolidSimulation(const Case& c, const std::vector<GeneratedBo
       particles_(particles_of<D>(c, bodies)),
       regions_(select_regions(c, bodies, particles_)),
       solid_(particles_, support_radii(c, particles_), options_of(c)),
-      forces_(particles_.slots),
+      forces_(solid_.make_streams()),
       motion_(make_prescribed_motion(c, regions_, particles_, facts_.warnings)),
       loads_(make_loads(c, regions_, particles_, solid_, facts_.warnings)),
       gravity_(constant_body_force<D>(c)),
@@ -96,12 +96,11 @@ void SolidSimulation<D>::step(double most) {
 
 template <int D>
 void SolidSimulation<D>::update_forces(double dt) {
-  loads_.add(particles_, time_, dt, forces_.stream[0].data());
+  loads_.add(particles_, time_, dt, forces_);
   timer_.mark("boundary");
-  summary_ = solid_.internal_forces(particles_, forces_);
-  timer_.mark("pair forces");
-  accelerate_and_kick(particles_, forces_, gravity_, dt, case_.solver.damping);
-  timer_.mark("kick");
+  summary_ =
+      solid_.internal_forces(particles_, forces_, AccelerateAndKick<D>{particles_, forces_, gravity_, dt, case_.solver.damping});
+  timer_.mark("forces and kick");
   motion_.hold(particles_, time_, dt, case_.solver.damping);
   if (case_.solver.damping > 0.0) count_dissipation(dt);
   timer_.mark("boundary");

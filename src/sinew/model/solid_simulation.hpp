@@ -54,7 +54,7 @@ class SolidSimulation final : public Simulation {
   Vec<double, D> gravity_;  ///< body force that is the same everywhere and always [length/time^2]
   Probes<D> probes_;
   StepSize step_size_;
-  PassTimer timer_{"drift", "boundary", "pair forces", "kick"};
+  PassTimer timer_{"drift", "boundary", "forces and kick"};
 
   double time_ = 0.0;
   long steps_ = 0;

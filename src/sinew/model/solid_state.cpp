@@ -18,17 +18,19 @@ constexpr int symmetric_order[6] = {0, 4, 8, 1, 5, 2};
 bool is_symmetric(const std::string& field) { return field == "green_lagrange_strain" || field == "cauchy_stress"; }
 
 template <int D>
-void copy_rows(const AlignedArray<double>& rows, const std::vector<int>& slots, int width, int offset, std::vector<double>& out) {
+std::vector<double> in_users_order(const VectorField<D>& field, const std::vector<int>& slots) {
+  std::vector<double> out;
   out.reserve(slots.size() * D);
   for (int slot : slots)
-    for (int c = 0; c < D; ++c) out.push_back(rows[std::size_t(width) * slot + offset + c]);
+    for (int c = 0; c < D; ++c) out.push_back(field.at(c, slot));
+  return out;
 }
 
 template <int D>
-void put_rows(const std::vector<double>& in, const std::vector<int>& slots, int width, AlignedArray<double>& rows) {
+void from_users_order(const std::vector<double>& in, const std::vector<int>& slots, VectorField<D>& field) {
   std::size_t k = 0;
   for (int slot : slots)
-    for (int c = 0; c < D; ++c) rows[std::size_t(width) * slot + c] = in.at(k++);
+    for (int c = 0; c < D; ++c) field.at(c, slot) = in.at(k++);
 }
 
 /// What a failed run may try about its zero-energy modes.
@@ -84,7 +86,7 @@ std::string SolidSimulation<D>::state_hash() const {
   for (int slot : particles_.slot_of)
     for (int c = 0; c < D; ++c) {
       add(particles_.current(slot)[c]);
-      add(particles_.velocity_row(slot)[c]);
+      add(particles_.velocity.at(c, slot));
     }
   return fmt::format("{:016x}", hash);
 }
@@ -92,10 +94,10 @@ std::string SolidSimulation<D>::state_hash() const {
 template <int D>
 SavedState SolidSimulation<D>::save() const {
   SavedState s{time_, steps_, {}, {}};
-  copy_rows<D>(particles_.place, particles_.slot_of, place_width<D>, 0, s.arrays["displacement"]);
-  copy_rows<D>(particles_.place, particles_.slot_of, place_width<D>, vector_width<D>, s.arrays["reference_position"]);
-  copy_rows<D>(particles_.velocity, particles_.slot_of, vector_width<D>, 0, s.arrays["velocity"]);
-  copy_rows<D>(particles_.acceleration, particles_.slot_of, vector_width<D>, 0, s.arrays["acceleration"]);
+  s.arrays["displacement"] = in_users_order(particles_.displacement, particles_.slot_of);
+  s.arrays["reference_position"] = in_users_order(particles_.position, particles_.slot_of);
+  s.arrays["velocity"] = in_users_order(particles_.velocity, particles_.slot_of);
+  s.arrays["acceleration"] = in_users_order(particles_.acceleration, particles_.slot_of);
   s.arrays["reactions"] = motion_.reactions();
   s.arrays["loads"] = loads_.forces();
   s.numbers = {{"reaction_work", motion_.work()},
@@ -114,13 +116,11 @@ SavedState SolidSimulation<D>::save() const {
 
 template <int D>
 void SolidSimulation<D>::restore(const SavedState& s) {
-  std::vector<double> reference;
-  copy_rows<D>(particles_.place, particles_.slot_of, place_width<D>, vector_width<D>, reference);
-  if (reference != s.arrays.at("reference_position"))
+  if (in_users_order(particles_.position, particles_.slot_of) != s.arrays.at("reference_position"))
     throw CaseError("the checkpoint belongs to other particles than the case makes now. Resume with the case that wrote it.");
-  put_rows<D>(s.arrays.at("displacement"), particles_.slot_of, place_width<D>, particles_.place);
-  put_rows<D>(s.arrays.at("velocity"), particles_.slot_of, vector_width<D>, particles_.velocity);
-  put_rows<D>(s.arrays.at("acceleration"), particles_.slot_of, vector_width<D>, particles_.acceleration);
+  from_users_order(s.arrays.at("displacement"), particles_.slot_of, particles_.displacement);
+  from_users_order(s.arrays.at("velocity"), particles_.slot_of, particles_.velocity);
+  from_users_order(s.arrays.at("acceleration"), particles_.slot_of, particles_.acceleration);
   motion_.restore(s.arrays.at("reactions"), s.numbers.at("reaction_work"));
   loads_.restore(s.arrays.at("loads"), s.numbers.at("load_work"));
   time_ = s.time;

@@ -11,10 +11,8 @@ template <int D>
 double kinetic_energy(const Particles<D>& particles) {
   double sum = 0.0;
   for (int slot = 0; slot < particles.slots; ++slot) {
-    const double* v = particles.velocity_row(slot);
-    double square = 0.0;
-    for (int c = 0; c < D; ++c) square += v[c] * v[c];
-    sum += 0.5 * particles.mass[slot] * square;
+    const Vec<double, D> v = particles.velocity[slot];
+    sum += 0.5 * particles.mass[slot] * dot(v, v);
   }
   return sum;
 }
@@ -25,7 +23,7 @@ double gravity_work(const Vec<double, D>& gravity, const Particles<D>& particles
   if (dot(gravity, gravity) == 0.0) return 0.0;
   double sum = 0.0;
   for (int slot = 0; slot < particles.slots; ++slot)
-    for (int c = 0; c < D; ++c) sum += particles.mass[slot] * gravity[c] * particles.place_row(slot)[c];
+    for (int c = 0; c < D; ++c) sum += particles.mass[slot] * gravity[c] * particles.displacement.at(c, slot);
   return sum;
 }
 
@@ -34,7 +32,7 @@ Momenta momenta_of(const Particles<D>& particles) {
   Momenta m;
   for (int slot = 0; slot < particles.slots; ++slot) {
     Point p;
-    for (int c = 0; c < D; ++c) p[c] = particles.mass[slot] * particles.velocity_row(slot)[c];
+    for (int c = 0; c < D; ++c) p[c] = particles.mass[slot] * particles.velocity.at(c, slot);
     m.linear += p;
     m.angular += cross(particles.current(slot), p);
     m.linear_scale += norm(p);

@@ -6,14 +6,14 @@ namespace sinew {
 template <int D>
 Point Particles<D>::reference(int slot) const {
   Point p;
-  for (int c = 0; c < D; ++c) p[c] = place_row(slot)[vector_width<D> + c];
+  for (int c = 0; c < D; ++c) p[c] = position.at(c, slot);
   return p;
 }
 
 template <int D>
 Point Particles<D>::current(int slot) const {
   Point p = reference(slot);
-  for (int c = 0; c < D; ++c) p[c] += place_row(slot)[c];
+  for (int c = 0; c < D; ++c) p[c] += displacement.at(c, slot);
   return p;
 }
 
@@ -26,9 +26,11 @@ int Particles<D>::body_of(int slot) const {
 
 template <int D>
 std::size_t Particles<D>::bytes() const {
-  return place.bytes() + velocity.bytes() + acceleration.bytes() + volume.bytes() + mass.bytes() +
+  return position.bytes() + displacement.bytes() + velocity.bytes() + acceleration.bytes() + volume.bytes() + mass.bytes() +
          (user_index.size() + slot_of.size()) * sizeof(int);
 }
+
+constexpr int between_bodies = 2 * lanes;
 
 template <int D>
 Particles<D> make_particles(const std::vector<BodyPoints>& bodies, double thickness) {
@@ -37,13 +39,11 @@ Particles<D> make_particles(const std::vector<BodyPoints>& bodies, double thickn
     const int count = static_cast<int>(body.points->size());
     const int padded = (count + lanes - 1) / lanes * lanes;
     p.bodies.push_back({body.name, p.slots, p.slots + padded, count, body.spacing, body.density});
-    p.slots += padded;
+    p.slots += padded + between_bodies;
     p.count += count;
   }
   const auto slots = static_cast<std::size_t>(p.slots);
-  p.place = AlignedArray<double>(slots * place_width<D>);
-  p.velocity = AlignedArray<double>(slots * vector_width<D>);
-  p.acceleration = AlignedArray<double>(slots * vector_width<D>);
+  p.position = p.displacement = p.velocity = p.acceleration = VectorField<D>(slots);
   p.volume = AlignedArray<double>(slots);
   p.mass = AlignedArray<double>(slots);
   p.user_index.assign(slots, -1);
@@ -58,7 +58,7 @@ Particles<D> make_particles(const std::vector<BodyPoints>& bodies, double thickn
     for (int slot = range.begin; slot < range.end; ++slot) {
       const bool padding = slot - range.begin >= range.count;
       const int point = order[padding ? range.count - 1 : slot - range.begin];
-      for (int c = 0; c < D; ++c) p.place_row(slot)[vector_width<D> + c] = points.position[point][c];
+      for (int c = 0; c < D; ++c) p.position.at(c, slot) = points.position[point][c];
       if (padding) continue;
       p.volume[slot] = points.volume[point];
       p.mass[slot] = bodies[b].density * thickness * points.volume[point];

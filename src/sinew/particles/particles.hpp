@@ -1,16 +1,17 @@
 #pragma once
-/// The particles of all bodies in computing order. Each body starts on a full slice of eight; what is left of its last slice is
-/// padding: particles of no volume and no mass that see nobody.
+/// The particles of all bodies in computing order. Each body starts on a full slice of eight; what is left of its last slice, and two slices
+/// between bodies, are padding: particles of no volume and no mass that see nobody. So whatever adds zeros to eight places in a row at the
+/// end of a body never meets another body.
 
-#include <sinew/particles/aligned_array.hpp>
+#include <sinew/core/pack.hpp>
 #include <sinew/particles/generate/point_set.hpp>
-#include <sinew/particles/rows.hpp>
+#include <sinew/particles/vector_field.hpp>
 #include <string>
 #include <vector>
 
 namespace sinew {
 
-/// Slots [begin, end) of one body in computing order; `count` of them are particles, the rest padding.
+/// Slots [begin, end) of one body in computing order, full slices; `count` of them are particles, the rest padding.
 struct BodyRange {
   std::string name;
   int begin = 0, end = 0, count = 0;
@@ -23,21 +24,16 @@ struct Particles {
   int count = 0;  ///< particles
   int slots = 0;  ///< places in computing order, a multiple of eight
   std::vector<BodyRange> bodies;
-  AlignedArray<double> place;         ///< place rows: displacement u and reference position X [length]
-  AlignedArray<double> velocity;      ///< vector rows [length/time]
-  AlignedArray<double> acceleration;  ///< vector rows [length/time^2], of the last force evaluation
-  AlignedArray<double> volume;        ///< reference volume, per thickness in 2D [length^D]
-  AlignedArray<double> mass;          ///< [mass]; 0 for padding
-  std::vector<int> user_index;        ///< slot -> number in the user's order, -1 for padding
-  std::vector<int> slot_of;           ///< number in the user's order -> slot
+  VectorField<D> position;      ///< reference position X [length]
+  VectorField<D> displacement;  ///< u [length]; kept instead of the current position: F - I is then as accurate as u itself
+  VectorField<D> velocity;      ///< [length/time]
+  VectorField<D> acceleration;  ///< [length/time^2], of the last force evaluation
+  AlignedArray<double> volume;  ///< reference volume, per thickness in 2D [length^D]
+  AlignedArray<double> mass;    ///< [mass]; 0 for padding
+  std::vector<int> user_index;  ///< slot -> number in the user's order, -1 for padding
+  std::vector<int> slot_of;     ///< number in the user's order -> slot
 
-  double* place_row(int slot) { return place.data() + std::size_t(place_width<D>) * slot; }
-  const double* place_row(int slot) const { return place.data() + std::size_t(place_width<D>) * slot; }
-  double* velocity_row(int slot) { return velocity.data() + std::size_t(vector_width<D>) * slot; }
-  const double* velocity_row(int slot) const { return velocity.data() + std::size_t(vector_width<D>) * slot; }
-  const double* acceleration_row(int slot) const { return acceleration.data() + std::size_t(vector_width<D>) * slot; }
-
-  Point reference(int slot) const;  ///< X
+  Point reference(int slot) const;  ///< X, with z = 0 in two dimensions
   Point current(int slot) const;    ///< x = X + u
   int body_of(int slot) const;
   std::size_t bytes() const;

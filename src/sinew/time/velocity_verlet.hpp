@@ -18,45 +18,43 @@ struct VelocityVerlet {
 
 template <int D>
 void kick_and_drift(Particles<D>& particles, double dt, double damping) {
-  constexpr int n = vector_width<D>;
   const double keep = 1.0 - 0.5 * dt * damping;
   for_each_piece(particles.slots, [&](int begin, int end) {
-    for (int slot = begin; slot < end; ++slot) {
-      double* v = particles.velocity_row(slot);
-      double* u = particles.place_row(slot);
-      const double* a = particles.acceleration_row(slot);
-      for (int c = 0; c < n; ++c) {
-        v[c] = keep * v[c] + 0.5 * dt * a[c];
-        u[c] += dt * v[c];
+    for (int c = 0; c < D; ++c) {
+      double* __restrict v = particles.velocity.component(c);
+      double* __restrict u = particles.displacement.component(c);
+      const double* __restrict a = particles.acceleration.component(c);
+      for (int slot = begin; slot < end; ++slot) {
+        v[slot] = keep * v[slot] + 0.5 * dt * a[slot];
+        u[slot] += dt * v[slot];
       }
     }
   });
 }
 
-/// Turns the force streams into accelerations (plus `gravity`), clears the streams and completes the velocities. dt = 0 at the start of a run.
+/// Turns the force streams of slots [begin, end) into accelerations (plus `gravity`), clears them and completes the velocities. dt = 0 at the
+/// start of a run.
 template <int D>
-void accelerate_and_kick(Particles<D>& particles, ForceStreams<D>& forces, const Vec<double, D>& gravity, double dt,
-                         double damping) {
-  constexpr int n = vector_width<D>;
-  const double share = 1.0 / (1.0 + 0.5 * dt * damping);
-  double g[n] = {};
-  for (int c = 0; c < D; ++c) g[c] = gravity[c];
-  for_each_piece(particles.slots, [&](int begin, int end) {
-    for (int slot = begin; slot < end; ++slot) {
-      const double mass = particles.mass[slot];
-      const double inverse_mass = mass > 0.0 ? 1.0 / mass : 0.0;  // padding stays where it is
-      const double falls = mass > 0.0 ? 1.0 : 0.0;
-      double* v = particles.velocity.data() + std::size_t(n) * slot;
-      double* a = particles.acceleration.data() + std::size_t(n) * slot;
-      double* even = forces.stream[0].data() + std::size_t(n) * slot;
-      double* odd = forces.stream[1].data() + std::size_t(n) * slot;
-      for (int c = 0; c < n; ++c) {
-        a[c] = (even[c] + odd[c]) * inverse_mass + falls * g[c];
-        even[c] = odd[c] = 0.0;
-        v[c] = share * (v[c] + 0.5 * dt * a[c]);
+struct AccelerateAndKick {
+  Particles<D>& particles;
+  ForceStreams<D>& forces;
+  Vec<double, D> gravity;
+  double dt, damping;
+
+  void operator()(int begin, int end) const {
+    const double share = 1.0 / (1.0 + 0.5 * dt * damping);
+    const double* __restrict mass = particles.mass.data();
+    for (int c = 0; c < D; ++c) {
+      double* __restrict v = particles.velocity.component(c);
+      double* __restrict a = particles.acceleration.component(c);
+      take_forces(forces, c, begin, end, a);
+      for (int slot = begin; slot < end; ++slot) {
+        const double inverse_mass = mass[slot] > 0.0 ? 1.0 / mass[slot] : 0.0;  // padding stays where it is
+        a[slot] = mass[slot] > 0.0 ? a[slot] * inverse_mass + gravity[c] : 0.0;
+        v[slot] = share * (v[slot] + 0.5 * dt * a[slot]);
       }
     }
-  });
-}
+  }
+};
 
 }  // namespace sinew

@@ -122,10 +122,12 @@ TEST(Corrections, ShepardWeightsSumToZeroWithTheParticleItself) {
   });
 }
 
-TEST(Corrections, RadialMeansNoShift) {
+TEST(Corrections, RadialMeansTheInverseOfTheMoment) {
   Corrections::for_each([]<class Correction>() {
-    const GradientMap<3> map = Correction{}.map(Cloud<3>(true).moments());
-    EXPECT_EQ(Correction::radial, norm(map.shift) == 0.0) << Correction::name;
+    const Moments<3> moments = Cloud<3>(true).moments();
+    const GradientMap<3> map = Correction{}.map(moments);
+    const Mat<double, 3> rest = map.L * moments.first - Mat<double, 3>::identity();
+    EXPECT_EQ(Correction::radial, map.scale == 1.0 && norm(map.shift) == 0.0 && double_dot(rest, rest) < 1e-20) << Correction::name;
     EXPECT_FALSE(Correction::summary.empty() || Correction::source.empty());
   });
   EXPECT_EQ(Corrections::names(), (std::vector<std::string>{"none", "shepard", "gradient"}));

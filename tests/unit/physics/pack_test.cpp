@@ -1,10 +1,14 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <random>
 #include <sinew/core/dual.hpp>
 #include <sinew/core/pack.hpp>
+#include <sinew/particles/rows.hpp>
 
 namespace sinew {
 namespace {
@@ -55,6 +59,80 @@ TEST(Pack, LogarithmAtTheEdges) {
   EXPECT_DOUBLE_EQ(y[4], std::numeric_limits<double>::epsilon());
 }
 
+/// Lane k is a + b k + c k^2: no two lanes alike.
+Pack lanes_of(double a, double b, double c) {
+  Pack p;
+  for (int k = 0; k < lanes; ++k) p.set(k, a + b * k + c * k * k);
+  return p;
+}
+
+TEST(Pack, EveryLaneIsTheSameOperationOnDoubles) {
+  const Pack a = lanes_of(-1.3, 0.7, -0.11), b = lanes_of(0.9, -0.4, 0.03);
+  const Pack sum_of = a + b, difference = a - b, product = a * b, quotient = a / b, negative = -a;
+  Pack in_place = a;
+  in_place += b;
+  in_place -= Pack(1.0);
+  in_place *= b;
+  const PackMask less = a<b, greater = a> b, less_or_equal = a <= b, greater_or_equal = a >= b;
+  const Pack chosen = select(less, a, b);
+  for (int k = 0; k < lanes; ++k) {
+    EXPECT_EQ(sum_of[k], a[k] + b[k]);
+    EXPECT_EQ(difference[k], a[k] - b[k]);
+    EXPECT_EQ(product[k], a[k] * b[k]);
+    EXPECT_EQ(quotient[k], a[k] / b[k]);
+    EXPECT_EQ(negative[k], -a[k]);
+    EXPECT_EQ(in_place[k], (a[k] + b[k] - 1.0) * b[k]);
+    EXPECT_EQ(less[k], a[k] < b[k]);
+    EXPECT_EQ(greater[k], a[k] > b[k]);
+    EXPECT_EQ(less_or_equal[k], a[k] <= b[k]);
+    EXPECT_EQ(greater_or_equal[k], a[k] >= b[k]);
+    EXPECT_EQ((less & less_or_equal)[k], a[k] < b[k]);
+    EXPECT_EQ((less | greater)[k], a[k] != b[k]);
+    EXPECT_EQ((!less)[k], !(a[k] < b[k]));
+    EXPECT_EQ(chosen[k], std::min(a[k], b[k]));
+  }
+}
+
+TEST(Pack, LoadsAndStoresAtAnyPlaceOfAnArray) {
+  double numbers[3 * lanes];
+  for (int i = 0; i < 3 * lanes; ++i) numbers[i] = 0.5 * i;
+  for (int offset = 0; offset < lanes; ++offset) {
+    const Pack p = Pack::load_unaligned(numbers + offset);
+    for (int lane = 0; lane < lanes; ++lane) EXPECT_EQ(p[lane], 0.5 * (offset + lane));
+    double out[3 * lanes] = {};
+    p.store_unaligned(out + offset);
+    for (int i = 0; i < 3 * lanes; ++i) EXPECT_EQ(out[i], i >= offset && i < offset + lanes ? numbers[i] : 0.0);
+  }
+}
+
+TEST(Pack, LoadsFloatsAsDoubles) {
+  alignas(32) float numbers[lanes];
+  for (int lane = 0; lane < lanes; ++lane) numbers[lane] = 0.1f * static_cast<float>(lane) - 0.25f;
+  const Pack p = Pack::load(numbers);
+  for (int lane = 0; lane < lanes; ++lane) EXPECT_EQ(p[lane], static_cast<double>(numbers[lane]));
+}
+
+TEST(Pack, GathersByIndex) {
+  double values[20];
+  for (int i = 0; i < 20; ++i) values[i] = 1.5 * i;
+  const int index[lanes] = {19, 0, 3, 3, 7, 12, 1, 18};
+  const Pack p = Pack::gather(values, index);
+  for (int lane = 0; lane < lanes; ++lane) EXPECT_EQ(p[lane], 1.5 * index[lane]);
+}
+
+TEST(Pack, MaskFromEveryPatternOfBits) {
+  for (int bits = 0; bits < 256; ++bits) {
+    const PackMask mask = PackMask::from_bits(static_cast<unsigned char>(bits));
+    const Pack chosen = select(mask, Pack(1.0), Pack(2.0));
+    for (int lane = 0; lane < lanes; ++lane) {
+      EXPECT_EQ(mask[lane], (bits >> lane & 1) != 0);
+      EXPECT_EQ(chosen[lane], (bits >> lane & 1) != 0 ? 1.0 : 2.0);
+    }
+    EXPECT_EQ(any(mask), bits != 0);
+    EXPECT_EQ(all(mask), bits == 255);
+  }
+}
+
 TEST(Pack, SelectMinimumMaximumAndReductions) {
   Pack ramp;
   for (int lane = 0; lane < lanes; ++lane) ramp.set(lane, lane - 3.0);
@@ -71,6 +149,44 @@ TEST(Pack, SelectMinimumMaximumAndReductions) {
   EXPECT_FALSE(any(ramp > Pack(4.5)));
   EXPECT_FALSE(all(ramp > Pack(-3.0)));
   EXPECT_TRUE(all(ramp >= Pack(-3.0)));
+}
+
+template <int D>
+void expect_places_of_rows() {
+  constexpr int rows = 11, width = place_width<D>;
+  alignas(64) double row[rows * width];
+  for (int i = 0; i < rows * width; ++i) row[i] = 100.0 + i;
+  const int index[lanes] = {10, 0, 7, 7, 2, 9, 1, 4};
+  const PlacePack<D> p = load_places<D>(row, index);
+  for (int k = 0; k < lanes; ++k)
+    for (int c = 0; c < D; ++c) {
+      EXPECT_EQ(p.u[c][k], row[width * index[k] + c]);
+      EXPECT_EQ(p.X[c][k], row[width * index[k] + vector_width<D> + c]);
+    }
+}
+
+TEST(Rows, PlacesAreTransposed) {
+  expect_places_of_rows<2>();
+  expect_places_of_rows<3>();
+}
+
+template <int D>
+void expect_subtraction_from_rows() {
+  constexpr int rows = 9, width = vector_width<D>;
+  alignas(64) double row[rows * width], expected[rows * width];
+  for (int i = 0; i < rows * width; ++i) row[i] = expected[i] = 3.0 * i;
+  const int index[lanes] = {8, 3, 3, 0, 5, 3, 8, 7};  // equal ones in the same half and in both
+  Vec<Pack, D> t;
+  for (int c = 0; c < D; ++c) t[c] = lanes_of(c + 1.0, 0.5, 0.25);
+  subtract_rows(row, index, t);
+  for (int k = 0; k < lanes; ++k)
+    for (int c = 0; c < D; ++c) expected[width * index[k] + c] -= t[c][k];
+  for (int i = 0; i < rows * width; ++i) EXPECT_EQ(row[i], expected[i]);
+}
+
+TEST(Rows, EqualIndicesAddUpInASubtraction) {
+  expect_subtraction_from_rows<2>();
+  expect_subtraction_from_rows<3>();
 }
 
 template <class F>

@@ -14,11 +14,11 @@ Loads<D>::Loads(std::vector<LoadCondition> conditions) {
 template <int D>
 void Loads<D>::remember(const Particles<D>& particles) {
   for (Applied& applied : conditions_)
-    for (Entry& entry : applied.entries) entry.previous_u = particles.place_row(entry.slot)[applied.component];
+    for (Entry& entry : applied.entries) entry.previous_u = particles.displacement.at(applied.component, entry.slot);
 }
 
 template <int D>
-void Loads<D>::add(const Particles<D>& particles, double t, double dt, double* force_rows) {
+void Loads<D>::add(const Particles<D>& particles, double t, double dt, ForceStreams<D>& forces) {
   for (Applied& applied : conditions_) {
     double value = 0.0;
     for (std::size_t k = 0; k < applied.entries.size(); ++k) {
@@ -26,9 +26,9 @@ void Loads<D>::add(const Particles<D>& particles, double t, double dt, double* f
       if (k == 0 || applied.function.depends_on_place)
         value = applied.function(particles.reference(entry.slot), particles.current(entry.slot), t);
       const double force = entry.share * value;
-      force_rows[std::size_t(vector_width<D>) * entry.slot + applied.component] += force;
+      forces.add(applied.component, entry.slot, force);
       if (dt > 0.0)
-        work_ += 0.5 * (entry.force + force) * (particles.place_row(entry.slot)[applied.component] - entry.previous_u);
+        work_ += 0.5 * (entry.force + force) * (particles.displacement.at(applied.component, entry.slot) - entry.previous_u);
       entry.force = force;
     }
   }

@@ -3,7 +3,7 @@
 /// reference configuration.
 
 #include <sinew/core/field_function.hpp>
-#include <sinew/particles/particles.hpp>
+#include <sinew/neighbors/chunks.hpp>
 #include <vector>
 
 namespace sinew {
@@ -23,8 +23,8 @@ class Loads {
   explicit Loads(std::vector<LoadCondition> conditions);
 
   void remember(const Particles<D>& particles);
-  /// Adds the loads of time t to the force rows and counts their work since `remember` (not at the start, where `dt` is 0).
-  void add(const Particles<D>& particles, double t, double dt, double* force_rows);
+  /// Adds the loads of time t to the forces and counts their work since `remember` (not at the start, where `dt` is 0).
+  void add(const Particles<D>& particles, double t, double dt, ForceStreams<D>& forces);
   double work() const { return work_; }
 
   std::vector<double> forces() const;

@@ -29,7 +29,7 @@ PrescribedMotion<D>::PrescribedMotion(std::vector<MotionCondition> conditions) {
 template <int D>
 void PrescribedMotion<D>::remember(const Particles<D>& particles) {
   for (Held& held : conditions_)
-    for (Entry& entry : held.entries) entry.previous_u = particles.place_row(entry.slot)[held.condition.component];
+    for (Entry& entry : held.entries) entry.previous_u = particles.displacement.at(held.condition.component, entry.slot);
 }
 
 template <int D>
@@ -41,7 +41,7 @@ void PrescribedMotion<D>::move(Particles<D>& particles, double t, double dt) {
     double value = 0.0;
     for (std::size_t k = 0; k < held.entries.size(); ++k) {
       Entry& entry = held.entries[k];
-      double& u = particles.place_row(entry.slot)[c.component];
+      double& u = particles.displacement.at(c.component, entry.slot);
       u = entry.previous_u;
       if (k == 0 || c.function.depends_on_place)
         value = c.function(particles.reference(entry.slot), particles.current(entry.slot), when);
@@ -63,23 +63,23 @@ void PrescribedMotion<D>::hold(Particles<D>& particles, double t, double dt, dou
         velocity = acceleration;
         acceleration = dt > 0.0 ? 4.0 * (s.after - 2.0 * s.now + s.before) / (dt * dt) : 0.0;
       }
-      const std::size_t at = std::size_t(vector_width<D>) * entry.slot + c.component;
-      const double reaction = particles.mass[entry.slot] * (acceleration + damping * velocity - particles.acceleration[at]);
-      work_ += 0.5 * (entry.reaction + reaction) * (particles.place_row(entry.slot)[c.component] - entry.previous_u) * (dt > 0.0);
+      double& a = particles.acceleration.at(c.component, entry.slot);
+      const double reaction = particles.mass[entry.slot] * (acceleration + damping * velocity - a);
+      work_ += 0.5 * (entry.reaction + reaction) * (particles.displacement.at(c.component, entry.slot) - entry.previous_u) *
+               (dt > 0.0);
       entry.reaction = reaction;
-      particles.velocity[at] = velocity;
-      particles.acceleration[at] = acceleration;
+      particles.velocity.at(c.component, entry.slot) = velocity;
+      a = acceleration;
     }
   }
 }
 
 template <int D>
-std::vector<double> PrescribedMotion<D>::reaction_rows(int slots) const {
-  std::vector<double> rows(std::size_t(vector_width<D>) * slots, 0.0);
+VectorField<D> PrescribedMotion<D>::reaction_field(int slots) const {
+  VectorField<D> field(slots);
   for (const Held& held : conditions_)
-    for (const Entry& entry : held.entries)
-      rows[std::size_t(vector_width<D>) * entry.slot + held.condition.component] += entry.reaction;
-  return rows;
+    for (const Entry& entry : held.entries) field.at(held.condition.component, entry.slot) += entry.reaction;
+  return field;
 }
 
 template <int D>

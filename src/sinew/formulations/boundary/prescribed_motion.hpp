@@ -31,8 +31,8 @@ class PrescribedMotion {
   void hold(Particles<D>& particles, double t, double dt, double damping);
 
   bool empty() const { return conditions_.empty(); }
-  /// Reactions as vector rows of `slots` particles [force].
-  std::vector<double> reaction_rows(int slots) const;
+  /// Reaction on each of `slots` particles [force]; zero where nothing is held.
+  VectorField<D> reaction_field(int slots) const;
   double work() const { return work_; }  ///< done by the reactions so far [energy]
 
   // restart: everything that is not a function of particles and time

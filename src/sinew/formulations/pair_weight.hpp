@@ -1,0 +1,78 @@
+#pragma once
+/// The weight of a pair i -> j, at a point: how its displacement enters F_i and its force. For gradients that are corrected to be exact for linear
+/// fields, g_ij = L_i (w_ij X_ij) with one number a pair, w_ij = V_j |dW/dr| / r; for all others a vector g_ij.
+
+#include <cmath>
+#include <sinew/core/pack.hpp>
+#include <sinew/core/vec.hpp>
+
+namespace sinew {
+
+/// One number, and one more for hourglass forces that need their own.
+template <class T, bool with_hourglass>
+struct RadialWeight {
+  T gradient;            ///< V_j a_ij [1/length^2]
+  T hourglass = T(0.0);  ///< V_j W_ij / r_ij^2 [1/length^2]
+
+  /// What is summed to sum u (x) ...: the gradient weight before its correction.
+  template <int D>
+  SINEW_INLINE Vec<T, D> vector(const Vec<T, D>& X) const {
+    return gradient * X;
+  }
+  SINEW_INLINE void store(double* to) const {
+    gradient.store(to);
+    if constexpr (with_hourglass) hourglass.store(to + lanes);
+  }
+  static SINEW_INLINE RadialWeight load(const double* from) {
+    RadialWeight w{Pack::load(from)};
+    if constexpr (with_hourglass) w.hourglass = Pack::load(from + lanes);
+    return w;
+  }
+  /// Lanes that have a neighbor.
+  SINEW_INLINE PackMask present() const { return gradient > T(0.0); }
+  /// The same where the mask is set, 0 elsewhere.
+  SINEW_INLINE RadialWeight only(PackMask mask) const {
+    return {select(mask, gradient, T(0.0)), with_hourglass ? select(mask, hourglass, T(0.0)) : T(0.0)};
+  }
+};
+
+/// The complete gradient as a vector.
+template <class T, int D>
+struct VectorWeight {
+  Vec<T, D> gradient;  ///< V_j g_ij [1/length]
+  T hourglass;         ///< [1/length^2]
+  SINEW_INLINE const Vec<T, D>& vector(const Vec<T, D>&) const { return gradient; }
+  SINEW_INLINE PackMask present() const { return PackMask::from_bits(0xff); }
+};
+
+/// RadialWeight of all pairs of one kind in a lattice, with the vector at hand.
+template <class T, int D, bool with_hourglass>
+struct BondWeight {
+  T gradient;
+  Vec<T, D> gradient_vector;  ///< V_j a_ij X_ij [1/length]
+  T hourglass = T(0.0);
+
+  SINEW_INLINE const Vec<T, D>& vector(const Vec<T, D>&) const { return gradient_vector; }
+  SINEW_INLINE BondWeight reversed() const { return {gradient, -gradient_vector, hourglass}; }
+  SINEW_INLINE PackMask present() const { return gradient > T(0.0); }
+  SINEW_INLINE BondWeight only(PackMask mask) const {
+    BondWeight w{select(mask, gradient, T(0.0)), {}, with_hourglass ? select(mask, hourglass, T(0.0)) : T(0.0)};
+    for (int c = 0; c < D; ++c) w.gradient_vector[c] = select(mask, gradient_vector[c], T(0.0));
+    return w;
+  }
+};
+
+/// RadialWeight from the reference configuration. Where r = 0 (the fill of a pair list) it is 0.
+template <class Kernel, bool with_hourglass, int D, class T>
+SINEW_INLINE RadialWeight<T, with_hourglass> radial_weight(const Vec<T, D>& X, const T& volume, const T& radius) {
+  const T r2 = dot(X, X);
+  const auto apart = r2 > T(0.0);
+  const T inverse_r = inverse_sqrt(select(apart, r2, radius * radius));
+  const T r = r2 * inverse_r;
+  RadialWeight<T, with_hourglass> w{select(apart, -volume * Kernel::template slope<D>(r, radius) * inverse_r, T(0.0))};
+  if constexpr (with_hourglass)
+    w.hourglass = select(apart, volume * Kernel::template value<D>(r, radius) * (inverse_r * inverse_r), T(0.0));
+  return w;
+}
+
+}  // namespace sinew

@@ -1,0 +1,84 @@
+#pragma once
+/// Where the sweep takes the weights of a pair from: stored, computed, or a constant of the bond. For ListedPairs and LatticePairs.
+
+#include <sinew/formulations/pair_weights.hpp>
+
+namespace sinew {
+
+/// Stored in double or single precision.
+template <class Scalar, bool with_hourglass>
+struct StoredWeights {
+  using Weight = RadialWeight<Pack, with_hourglass>;
+  static constexpr bool computed = false, radial = true;
+  const Scalar* gradient;
+  const Scalar* hourglass;
+
+  using Shared = int;
+  SINEW_INLINE int of_slice(int slice) const { return slice; }
+  SINEW_INLINE void prefetch(std::size_t entry) const {
+    __builtin_prefetch(gradient + lanes * entry, 0, 0);
+    if constexpr (with_hourglass) __builtin_prefetch(hourglass + lanes * entry, 0, 0);
+  }
+  SINEW_INLINE Weight stored(std::size_t entry) const {
+    Weight w{Pack::load(gradient + lanes * entry)};
+    if constexpr (with_hourglass) w.hourglass = Pack::load(hourglass + lanes * entry);
+    return w;
+  }
+  template <int D>
+  SINEW_INLINE Weight at(std::size_t entry, const int*, const Vec<Pack, D>&, int) const {
+    return stored(entry);
+  }
+};
+
+/// Computed from X_ij, V_j and R_i: the same numbers as stored ones.
+template <class Kernel, bool with_hourglass>
+struct ComputedWeights {
+  using Weight = RadialWeight<Pack, with_hourglass>;
+  static constexpr bool computed = true, radial = true;
+  const double* volume;
+  const double* radius;
+
+  using Shared = Pack;
+  SINEW_INLINE void prefetch(std::size_t) const {}
+  SINEW_INLINE Pack of_slice(int slice) const { return Pack::load(radius + lanes * slice); }
+  template <int D>
+  SINEW_INLINE Weight at(std::size_t, const int* index, const Vec<Pack, D>& X, const Pack& R) const {
+    return radial_weight<Kernel, with_hourglass>(X, Pack::gather(volume, index), R);
+  }
+};
+
+/// Stored vectors, and hourglass weights if there are any.
+template <int D>
+struct StoredVectors {
+  using Weight = VectorWeight<Pack, D>;
+  static constexpr bool computed = false, radial = false;
+  const double* gradient;
+  const double* hourglass;  ///< nullptr: none
+  SINEW_INLINE void prefetch(std::size_t) const {}
+
+  using Shared = int;
+  SINEW_INLINE int of_slice(int slice) const { return slice; }
+  SINEW_INLINE Weight stored(std::size_t entry) const {
+    Weight w;
+    for (int c = 0; c < D; ++c) w.gradient[c] = Pack::load(gradient + lanes * (D * entry + c));
+    w.hourglass = hourglass ? Pack::load(hourglass + lanes * entry) : Pack(0.0);
+    return w;
+  }
+  SINEW_INLINE Weight at(std::size_t entry, const int*, const Vec<Pack, D>&, int) const { return stored(entry); }
+};
+
+/// Of a lattice.
+template <int D, bool with_hourglass>
+struct BondWeights {
+  using Weight = BondWeight<Pack, D, with_hourglass>;
+  const BondWeight<double, D, true>* bonds;
+
+  SINEW_INLINE Weight of(int bond) const {
+    Weight w{Pack(bonds[bond].gradient), {}};
+    for (int c = 0; c < D; ++c) w.gradient_vector[c] = Pack(bonds[bond].gradient_vector[c]);
+    if constexpr (with_hourglass) w.hourglass = Pack(bonds[bond].hourglass);
+    return w;
+  }
+};
+
+}  // namespace sinew

@@ -1,0 +1,109 @@
+#pragma once
+/// The loops over pairs of a slice that has a pair list, eight particles at once. Physics comes in as functions of one (vector of a) pair.
+
+#include <sinew/neighbors/pair_list.hpp>
+#include <sinew/particles/rows.hpp>
+
+namespace sinew {
+
+/// The slots of a slice.
+struct OwnSlots {
+  int slot[lanes];
+  explicit SINEW_INLINE OwnSlots(int slice) {
+    for (int k = 0; k < lanes; ++k) slot[k] = lanes * slice + k;
+  }
+};
+
+/// What the loops read and write, for one thread.
+template <int D>
+struct ListedPairsData {
+  const PairList& list;
+  const double* place_rows;  ///< {u, X} of all particles
+  double* force_rows;        ///< one stream
+  double* kept;              ///< room for the pairs of a slice, numbers_kept<D> packs each
+};
+
+template <int D>
+inline constexpr int numbers_kept = 2 * D + 2;
+
+/// One slice at a time: `enter` it, visit all its pairs once with `first_visit`, then as often as needed with the others. The first visit fetches
+/// the neighbors and keeps u_ij, X_ij and the weight in order, so that later ones read one stream. `Weights`: weights.at(entry, index, X, R)
+/// gives the weight of eight pairs; the fill of the list has X = 0 and a weight that is finite.
+template <int D, class Weights>
+class ListedPairs {
+ public:
+  using Weight = typename Weights::Weight;
+  static constexpr int slices_together = 1;                          ///< whose first visits may come before their other visits
+  static constexpr int width = 2 * D + (Weights::computed ? 2 : 0);  ///< packs kept of a pair
+
+  SINEW_INLINE ListedPairs(const ListedPairsData<D>& data, const Weights& weights) : data_(data), weights_(weights) {}
+
+  SINEW_INLINE void enter(int slice) {
+    slice_ = slice;
+    begin_ = data_.list.first_entry[slice];
+    end_ = data_.list.first_entry[slice + 1];
+  }
+
+  /// use(weight, u_ij, X_ij).
+  template <class Use>
+  SINEW_INLINE void first_visit(Use&& use) {
+    const PlacePack<D> own = load_places<D>(data_.place_rows, OwnSlots(slice_).slot);
+    const auto shared = weights_.of_slice(slice_);
+    double* kept = data_.kept;
+    for (std::size_t e = begin_; e < end_; ++e) {
+      const int* index = data_.list.entry(e);
+      __builtin_prefetch(index + 32 * lanes, 0, 0);
+      weights_.prefetch(e + 32);
+      const PlacePack<D> other = load_places<D>(data_.place_rows, index);
+      const Vec<Pack, D> u = other.u - own.u, X = other.X - own.X;
+      const Weight weight = weights_.at(e, index, X, shared);
+      for (int c = 0; c < D; ++c) {
+        u[c].store(kept + lanes * c);
+        X[c].store(kept + lanes * (D + c));
+      }
+      if constexpr (Weights::computed) weight.store(kept + lanes * 2 * D);
+      kept += lanes * width;
+      use(weight, u, X);
+    }
+  }
+
+  /// use(weight, u_ij, X_ij) again.
+  template <class Use>
+  SINEW_INLINE void visit(Use&& use) const {
+    const double* kept = data_.kept;
+    for (std::size_t e = begin_; e < end_; ++e, kept += lanes * width) use(weight(e, kept), pick(kept), pick(kept + lanes * D));
+  }
+
+  /// Adds t = share(weight, u_ij, X_ij) to i and subtracts it from j: momentum is conserved by construction. One pair after the other, in list order.
+  template <class Share>
+  SINEW_INLINE void exchange(Share& share) const {
+    Vec<Pack, D> total;
+    const double* kept = data_.kept;
+    for (std::size_t e = begin_; e < end_; ++e, kept += lanes * width) {
+      const Vec<Pack, D> t = share(weight(e, kept), pick(kept), pick(kept + lanes * D));
+      total += t;
+      subtract_rows(data_.force_rows, data_.list.entry(e), t);
+    }
+    subtract_rows(data_.force_rows, OwnSlots(slice_).slot, -total);
+  }
+
+ private:
+  static SINEW_INLINE Vec<Pack, D> pick(const double* from) {
+    Vec<Pack, D> v;
+    for (int c = 0; c < D; ++c) v[c] = Pack::load(from + lanes * c);
+    return v;
+  }
+  SINEW_INLINE Weight weight(std::size_t entry, const double* kept) const {
+    if constexpr (Weights::computed)
+      return Weight::load(kept + lanes * 2 * D);
+    else
+      return weights_.stored(entry);
+  }
+
+  const ListedPairsData<D>& data_;
+  const Weights weights_;
+  int slice_ = 0;
+  std::size_t begin_ = 0, end_ = 0;
+};
+
+}  // namespace sinew
