@@ -28,10 +28,15 @@ __global__ void correction_map(double* out, Correction correction, Moments<D> mo
   keep(out, dot(map.apply(1.0, 1.0, X), X), map.valid ? 1.0 : 0.0);
 }
 
-template <class Material>
-__global__ void material_response(double* out, Material material, Mat3<double> F) {
+template <class Material, class M>
+__global__ void material_response(double* out, Material material, M F) {
   const auto response = material.respond(F, typename Material::State{}, 0.0);
-  keep(out, trace(response.P), response.energy, material.acoustic_stiffness(F), trace(material.tangent(F)));
+  keep(out, trace(response.P), response.energy, material.acoustic_stiffness(F));
+}
+
+template <class Material>
+__global__ void material_tangent(double* out, Material material, Mat3<double> F) {
+  keep(out, trace(material.tangent(F)));
 }
 
 template <class Stabilization, int D>
@@ -55,6 +60,22 @@ __global__ void small_matrices(double* out, Mat<double, D> A, Vec<double, D> a) 
        norm(cross(C * Vec3<double>{}, Vec3<double>{})));
 }
 
+/// Every function of core/plane_matrix.hpp.
+__global__ void plane_matrices(double* out, PlaneMatrix<double> A) {
+  PlaneMatrix<double> B = inverse(A) * transpose(A) + A - 2.0 * PlaneMatrix<double>::identity();
+  B += cofactor(A);
+  B -= A;
+  keep(out, trace(B), determinant(B), double_dot(A, B), trace(in_space(B)), trace(in_plane<2>(B)));
+}
+
+template <class Material>
+void launch_material(double* out, const Material& material) {
+  const Mat3<double> F = Mat3<double>::identity();
+  material_response<<<1, 1>>>(out, material, F);
+  material_response<<<1, 1>>>(out, material, PlaneMatrix<double>::identity());
+  material_tangent<<<1, 1>>>(out, material, F);
+}
+
 template <int D>
 void launch_in_dimensions(double* out) {
   const Vec<double, D> a{};
@@ -70,10 +91,10 @@ void launch_in_dimensions(double* out) {
 void launch_all(double* out) {
   launch_in_dimensions<2>(out);
   launch_in_dimensions<3>(out);
-  const Mat3<double> F = Mat3<double>::identity();
+  plane_matrices<<<1, 1>>>(out, PlaneMatrix<double>::identity());
   Materials::for_each([&]<class Material>() {
-    material_response<<<1, 1>>>(out, Material{}, F);
-    material_response<<<1, 1>>>(out, PlaneStress<Material>{}, F);
+    launch_material(out, Material{});
+    launch_material(out, PlaneStress<Material>{});
   });
 }
 

@@ -27,6 +27,15 @@ std::string regions_text(const ModelFacts& facts) {
   return text.empty() ? "" : "particles in regions: " + text + "\n";
 }
 
+/// Which way the pairs go.
+std::string paths_text(const ModelFacts& facts) {
+  const double share = 100.0 * facts.lattice_share;
+  if (share == 0.0) return fmt::format("pairs: list for all particles, weights {}\n", facts.pair_weights);
+  if (share == 100.0) return fmt::format("pairs: lattice for all particles ({} patterns)\n", facts.lattice_patterns);
+  return fmt::format("pairs: lattice for {:.1f} % of the particles ({} patterns), list for the others, weights {}\n", share,
+                     facts.lattice_patterns, facts.pair_weights);
+}
+
 bool is_free(const Case& c) {
   const auto zero = [](const Expression& e) { return e.is_constant() && e(0.0) == 0.0; };
   return c.boundary.empty() && c.solver.damping == 0.0 && std::all_of(c.body_force.begin(), c.body_force.end(), zero);
@@ -52,6 +61,7 @@ std::string facts_text(const Case& c, const ModelFacts& facts) {
   text += regions_text(facts);
   text += fmt::format("{} particles with {} neighbors each on average (from {} to {})\n", count_text(facts.particles),
                       fmt::format("{:.3g}", facts.neighbors_mean), facts.neighbors_min, facts.neighbors_max);
+  text += paths_text(facts);
   text += fmt::format("time step {} (limited by: {}), about {} steps\n", quantity_text(facts.time_step, units.name_of("s")),
                       facts.time_step_limit, count_text(std::lround(std::min(estimated_steps(c, facts), 1e15))));
   text += fmt::format("memory {} ({:.0f} bytes a particle), built in {}", bytes_text(static_cast<double>(facts.memory_bytes)),

@@ -5,26 +5,19 @@ namespace sinew {
 
 namespace {
 
-/// Fills what both dimensions have, and returns all of P.
-template <int D, class Material, class M>
-SINEW_INLINE M respond(const Material& material, const M& F, PointResponse<D>& out) {
-  const auto response = material.respond(F);
-  out.P = in_plane<D>(response.P);
-  out.energy = response.energy;
-  out.jacobian = determinant(F);
-  out.acoustic_stiffness = material.acoustic_stiffness(F);
-  return response.P;
-}
+// All is known before anything is stored, since to the compiler `out` might be where F and the constants of the material are.
 
 template <class Material>
 void respond_in_space(const void* pointer, const Mat<Pack, 3>& F, PointResponse<3>& out) {
-  respond(*static_cast<const Material*>(pointer), F, out);
+  const Material& material = *static_cast<const Material*>(pointer);
+  const auto r = material.respond(F);
+  out = {r.P, r.energy, determinant(F), material.acoustic_stiffness(F)};
 }
 
 template <class Material>
 SINEW_INLINE void respond_at_thickness(const Material& material, const PlaneMatrix<Pack>& F, PointResponse<2>& out) {
-  out.thickness_stress = respond(material, F, out).out_of_plane;
-  out.thickness_stretch = F.out_of_plane;
+  const auto r = material.respond(F);
+  out = {r.P.in_plane, r.energy, determinant(F), material.acoustic_stiffness(F), F.out_of_plane, r.P.out_of_plane};
 }
 
 template <class Material>

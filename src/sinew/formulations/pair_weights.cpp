@@ -8,6 +8,11 @@
 
 namespace sinew {
 
+std::string_view name_of(WeightStorage storage) {
+  constexpr std::string_view names[] = {"stored", "single", "computed", "automatic"};
+  return names[static_cast<int>(storage)];
+}
+
 namespace {
 
 template <int D>

@@ -18,7 +18,12 @@ enum class WeightStorage {
   stored,    ///< double precision
   single,    ///< single precision, half the memory
   computed,  ///< not at all: from the reference positions in each step
+  automatic  ///< stored up to `most_stored_bytes`, computed beyond: a property of the case, not of the machine
 };
+inline constexpr std::size_t most_stored_bytes = std::size_t{8} << 30;
+
+/// "stored", "single" or "computed".
+std::string_view name_of(WeightStorage storage);
 
 /// Weight of a pair in the hourglass force of i, besides its coefficient, E_i and V_i.
 enum class HourglassWeight {
@@ -35,7 +40,7 @@ struct WeightOptions {
   AnyKernel kernel;
   AnyCorrection correction;
   HourglassWeight hourglass = HourglassWeight::conservative;
-  WeightStorage storage = WeightStorage::stored;
+  WeightStorage storage = WeightStorage::stored;  ///< not automatic
 
   /// One number a pair is enough for the gradient; otherwise vectors are stored.
   bool radial() const {

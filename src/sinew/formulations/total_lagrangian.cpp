@@ -39,11 +39,11 @@ TotalLagrangian<D>::TotalLagrangian(const Particles<D>& particles, const std::ve
       list_(build_pair_list(particles, support_radius)),
       chunks_(make_chunks(particles, list_)),
       countdown_(chunks_) {
-  const WeightOptions weights = weight_options();
-  lattice_ = options_.lattice && weights.radial() ? find_lattice_patterns(particles, list_, support_radius)
-                                                  : no_lattice_patterns(particles);
+  lattice_ = options_.lattice && weight_options().radial() ? find_lattice_patterns(particles, list_, support_radius)
+                                                           : no_lattice_patterns(particles);
   drop_lattice_slices(list_, lattice_);
-  weights_ = make_pair_weights<D>({particles, list_, lattice_}, support_radius, weights);
+  choose_weights();
+  weights_ = make_pair_weights<D>({particles, list_, lattice_}, support_radius, weight_options());
   chunk_summaries_.resize(chunks_.size());
   if (list_.entries() > 0) {
     place_rows_ = AlignedArray<double>(std::size_t(place_width<D>) * slots_);
@@ -52,6 +52,16 @@ TotalLagrangian<D>::TotalLagrangian(const Particles<D>& particles, const std::ve
         place_rows_[std::size_t(place_width<D>) * slot + vector_width<D> + c] = particles.position.at(c, slot);
   }
   if (options_.hourglass) hourglass_time_step_ = hourglass_limit(particles, weights_, options_);
+}
+
+template <int D>
+void TotalLagrangian<D>::choose_weights() {
+  const WeightOptions options = weight_options();
+  const std::size_t bytes = list_.entries() * lanes * sizeof(double) * (options.hourglass_weights() ? 2 : 1);
+  if (!options.radial())
+    options_.weights = WeightStorage::stored;
+  else if (options.storage == WeightStorage::automatic)
+    options_.weights = bytes <= most_stored_bytes ? WeightStorage::stored : WeightStorage::computed;
 }
 
 template <int D>

@@ -45,7 +45,7 @@ struct TotalLagrangianOptions {
   std::vector<AnyMaterial> materials;  ///< one a body
   bool plane_stress = false;
   double thickness = 1.0;
-  WeightStorage weights = WeightStorage::stored;
+  WeightStorage weights = WeightStorage::automatic;
   bool lattice = true;  ///< look for regular arrangements
 };
 
@@ -80,6 +80,7 @@ class TotalLagrangian {
   ForceSummary sweep(const Particles<D>& particles, ForceStreams<D>& forces, RecordedState* record, Finish finish) const;
 
   WeightOptions weight_options() const;
+  void choose_weights();
   void prepare_scratch(const Particles<D>& particles) const;
 
   TotalLagrangianOptions options_;

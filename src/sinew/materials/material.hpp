@@ -17,7 +17,8 @@
 /// All but `describe` carry SINEW_INLINE or SINEW_POINTWISE, so that a device has them too (tools/check_device.py).
 /// `respond` is pure: it may be called any number of times; the solver commits the state that it returns.
 /// `acoustic_stiffness` bounds from above the largest eigenvalue of the acoustic tensor A_iJkL N_J N_L over all unit N [Pa], with
-/// equality in the unstrained state; sqrt of it over the reference density is the fastest wave speed in the reference frame.
+/// equality in the unstrained state; sqrt of it over the reference density is the fastest wave speed in the reference frame. It may be
+/// tighter for a PlaneMatrix than for the same state as a Mat3.
 
 #include <sinew/core/pack.hpp>
 #include <sinew/core/params.hpp>

@@ -71,13 +71,13 @@ struct PlaneStress : Material {
     return {F.in_plane, stretch};
   }
 
-  /// P33 and its derivative with respect to F33.
+  /// P33 and its derivative with respect to F33. F is written out, since a matrix that is filled in loops goes through memory.
   template <class T>
   SINEW_INLINE Dual<T> stress_through_thickness(const Mat<T, 2>& plane, const T& stretch) const {
-    PlaneMatrix<Dual<T>> F;
-    for (int i = 0; i < 2; ++i)
-      for (int j = 0; j < 2; ++j) F.in_plane[i][j] = Dual<T>(plane[i][j], T(0.0));
-    F.out_of_plane = Dual<T>(stretch, T(1.0));
+    const auto constant = [](const T& a) { return Dual<T>(a, T(0.0)); };
+    const PlaneMatrix<Dual<T>> F{
+        {{{constant(plane[0][0]), constant(plane[0][1])}, {constant(plane[1][0]), constant(plane[1][1])}}},
+        Dual<T>(stretch, T(1.0))};
     return Material::respond(F).P.out_of_plane;
   }
 };

@@ -144,6 +144,8 @@ struct SolverCase {
   std::optional<long> max_steps;
   std::optional<double> time_step;  ///< fixed step instead of the adaptive one
   double damping = 0.0;             ///< a += -damping v  [1/time]
+  std::string pair_weights = "auto";
+  std::string lattice = "auto";
 
   static void describe(auto&& field, auto& m) {
     constexpr Range courant{0.0, 1.0, true, false, "greater than 0 and at most 1"};
@@ -155,6 +157,14 @@ struct SolverCase {
     field("time_step", m.time_step, "s", "A fixed time step instead of the one from cfl.", positive, optional);
     field("damping", m.damping, "1/s", "Damping rate: every particle gets the acceleration -damping times its velocity.",
           non_negative, optional);
+    field("pair_weights", m.pair_weights, no_unit,
+          "How the weights of pairs are kept, where no lattice makes them needless: stored; single, in half the memory and "
+          "rounded to 7 "
+          "digits; computed anew in each step, with no memory; auto: stored up to 8 GiB, computed beyond.",
+          optional, OneOf{{"auto", "stored", "single", "computed"}});
+    field("lattice", m.lattice, no_unit,
+          "auto: regular arrangements of particles go without a pair list; off: never. Changes results by rounding only.",
+          optional, OneOf{{"auto", "off"}});
   }
 };
 

@@ -21,7 +21,9 @@ struct ModelFacts {
   std::size_t memory_bytes = 0;
   double bytes_per_particle = 0.0;
   int chunks = 0;
-  double list_fill = 1.0;  ///< pairs over entries of the padded list
+  double lattice_share = 0.0;  ///< part of the slices of eight particles that go without a pair list
+  int lattice_patterns = 0;
+  std::string pair_weights;  ///< of the others: "stored", "single" or "computed"
   double setup_seconds = 0.0;
   struct Body {
     std::string name, material;

@@ -46,7 +46,11 @@ void SolidSimulation<D>::collect_facts(const std::vector<GeneratedBody>& bodies,
   facts_.memory_bytes = particles_.bytes() + solid_.bytes() + forces_.bytes();
   facts_.bytes_per_particle = static_cast<double>(facts_.memory_bytes) / particles_.count;
   facts_.chunks = static_cast<int>(solid_.chunks().size());
-  facts_.list_fill = list.fill();
+  int slices = 0;
+  for (const BodyRange& body : particles_.bodies) slices += (body.end - body.begin) / lanes;
+  facts_.lattice_share = static_cast<double>(solid_.lattice().slices()) / slices;
+  facts_.lattice_patterns = static_cast<int>(solid_.lattice().patterns.size());
+  facts_.pair_weights = name_of(solid_.options().weights);
   facts_.setup_seconds = setup_seconds;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     facts_.bodies.push_back(facts_of(particles_.bodies[b], case_.bodies[b], particles_, solid_.options().thickness));

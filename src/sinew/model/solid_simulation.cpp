@@ -29,12 +29,22 @@ std::vector<double> support_radii(const Case& c, const Particles<D>& particles) 
   return radius;
 }
 
+WeightStorage weight_storage(const std::string& name) {
+  for (WeightStorage storage : {WeightStorage::stored, WeightStorage::single, WeightStorage::computed})
+    if (name == name_of(storage)) return storage;
+  return WeightStorage::automatic;
+}
+
 TotalLagrangianOptions options_of(const Case& c) {
-  TotalLagrangianOptions options{c.formulation.kernel, c.formulation.correction, {}, {}, c.general.plane == PlaneState::stress,
-                                 c.general.thickness};
+  TotalLagrangianOptions options{
+      .kernel = c.formulation.kernel, .correction = c.formulation.correction, .hourglass = {}, .materials = {}};
+  options.plane_stress = c.general.plane == PlaneState::stress;
+  options.thickness = c.general.thickness;
   for (const AnyStabilization& s : c.formulation.stabilizations)
     if (std::get<HourglassStiffness>(s).alpha > 0.0) options.hourglass = std::get<HourglassStiffness>(s);
   for (const BodyCase& body : c.bodies) options.materials.push_back(body.material);
+  options.weights = weight_storage(c.solver.pair_weights);
+  options.lattice = c.solver.lattice == "auto";
   if (c.general.dimension == 3) options.plane_stress = false, options.thickness = 1.0;
   return options;
 }

@@ -21,8 +21,8 @@ struct Chunk {
 template <int D>
 std::vector<Chunk> make_chunks(const Particles<D>& particles, const PairList& list);
 
-/// Fewer particles than this are done by one thread: starting and joining a team would cost more than it saves.
-inline constexpr int fewest_for_threads = 16384;
+/// Fewer particles than this are done by one thread: starting and joining a team would cost more than it saves. Tests lower it.
+inline int fewest_for_threads = 16384;
 
 /// Threads that a loop may use, and the number of the one that asks.
 inline std::size_t most_threads() { return static_cast<std::size_t>(omp_get_max_threads()); }

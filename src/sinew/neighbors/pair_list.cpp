@@ -1,41 +1,216 @@
+#include <omp.h>
 #include <sinew/core/error.hpp>
-#include <sinew/neighbors/cell_list.hpp>
+#include <sinew/neighbors/body_search.hpp>
 #include <sinew/neighbors/pair_list.hpp>
+#include <sinew/neighbors/store.hpp>
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 
 namespace sinew {
 
 namespace {
 
+/// A piece of a body that one thread does, and the neighbors in the form in which they are found: eights, that is, eight sorted
+/// places in a row that hold some of them.
 template <int D>
-std::vector<Point> reference_points(const Particles<D>& particles, const BodyRange& body) {
-  std::vector<Point> points(body.count);
-  for (int i = 0; i < body.count; ++i) points[i] = particles.reference(body.begin + i);
-  return points;
+struct Block {
+  const BodySearch<D>* search;
+  int begin, end;                       ///< slots
+  const int* eights = nullptr;          ///< how many each particle has
+  const int* place = nullptr;           ///< of each eight, the first of the places
+  const std::uint8_t* which = nullptr;  ///< of each eight, bit k: place + k holds a neighbor
+};
+
+constexpr int block_slots = 32 * lanes;  // enough for its overhead, little enough for the caches
+
+template <int D>
+std::vector<BodySearch<D>> make_searches(const Particles<D>& particles) {
+  std::vector<BodySearch<D>> searches;
+  searches.reserve(particles.bodies.size());
+  for (const BodyRange& body : particles.bodies) searches.emplace_back(particles, body);
+  return searches;
 }
 
-double largest_radius(const std::vector<double>& radius, const BodyRange& body) {
-  return *std::max_element(radius.begin() + body.begin, radius.begin() + body.begin + body.count);
+template <int D>
+std::vector<Block<D>> make_blocks(const std::vector<BodySearch<D>>& searches) {
+  std::vector<Block<D>> blocks;
+  for (const BodySearch<D>& search : searches)
+    for (int begin = search.body().begin; begin < search.body().end; begin += block_slots)
+      blocks.push_back({&search, begin, std::min(begin + block_slots, search.body().end)});
+  return blocks;
 }
 
-/// Calls use(slot, sorted neighbors) for every particle of the body, in parallel over slices.
-template <class Use>
-void for_each_row(const std::vector<Point>& points, const BodyRange& body, const std::vector<double>& radius,
-                  const CellList& cells, Use&& use) {
-#pragma omp parallel
-  {
-    std::vector<int> found;
-#pragma omp for schedule(dynamic, 64)
-    for (int i = 0; i < body.count; ++i) {
-      found.clear();
-      cells.for_each_within(points[i], radius[body.begin + i], [&](int j, double) {
-        if (j != i) found.push_back(body.begin + j);
-      });
-      std::sort(found.begin(), found.end());
-      use(body.begin + i, found);
+/// Finds the neighbors of the particles of a block, and counts them. One for each thread; it keeps its memory.
+template <int D>
+class alignas(64) NeighborFinder {
+ public:
+  void find(Block<D>& block, const std::vector<double>& radius, int* count) {
+    used_ = 0;
+    eights_.clear();
+    for (int slot = block.begin; slot < block.end; slot += lanes) {
+      block.search->find_rows(slot, radius.data() + slot, rows_);
+      for (int k = 0; k < block.search->particles_in(slot); ++k) {
+        const std::size_t before = used_;
+        count[slot + k] = find(*block.search, slot + k, radius[slot + k]);
+        eights_.push_back(static_cast<int>(used_ - before));
+      }
     }
+    block.eights = store_.keep(eights_, eights_.size());
+    block.place = store_.keep(place_, used_);
+    block.which = store_.keep(which_, used_);
+  }
+
+ private:
+  int find(const BodySearch<D>& search, int slot, double radius) {
+    const Pack limit(radius * radius);
+    int* place = place_.data();
+    std::uint8_t* which = which_.data();
+    std::size_t used = used_, room = place_.size();
+    int count = 0;
+    search.for_each_eight(slot, radius, rows_, [&](int first, const Pack& distance2, unsigned others) {
+      if (used == room) {
+        room = 2 * room + 4096;
+        place_.resize(room);
+        which_.resize(room);
+        place = place_.data();
+        which = which_.data();
+      }
+      const unsigned bits = lane_bits::bits_of(distance2 < limit) & others;
+      place[used] = first;
+      which[used] = static_cast<std::uint8_t>(bits);
+      used += static_cast<std::size_t>(bits != 0U);
+      count += std::popcount(bits);
+    });
+    used_ = used;
+    return count;
+  }
+
+  std::vector<NearRow> rows_;
+  std::vector<int> eights_, place_;
+  std::vector<std::uint8_t> which_;
+  std::size_t used_ = 0;  ///< of the last two
+  Store store_;
+};
+
+/// Writes the entries of a block into the list. One for each thread; it keeps its memory.
+template <int D>
+class EntryWriter {
+ public:
+  void write(const Block<D>& block, PairList& list) {
+    const int* eights = block.eights;
+    const int* place = block.place;
+    const std::uint8_t* which = block.which;
+    for (int slot = block.begin; slot < block.end; slot += lanes) {
+      const std::size_t first = list.first_entry[slot / lanes], longest = list.first_entry[slot / lanes + 1] - first;
+      if (row_.size() < longest + lanes) row_.resize(longest + lanes);  // a whole register is written for the last neighbors
+      int* out = list.neighbor.data() + lanes * first;
+      for (int k = 0; k < lanes; ++k) {
+        const int count = list.neighbor_count[slot + k];
+        if (k < block.search->particles_in(slot)) {
+          expand(*block.search, {place, which, *eights}, count);
+          place += *eights;
+          which += *eights++;
+        }
+        for (int n = 0; n < count; ++n) out[lanes * n + k] = row_[n];
+        for (std::size_t n = count; n < longest; ++n) out[lanes * n + k] = slot + k;
+      }
+    }
+  }
+
+ private:
+  struct Eights {
+    const int* place;
+    const std::uint8_t* which;
+    int count;
+  };
+
+  /// The neighbors of one particle as ascending slots.
+  void expand(const BodySearch<D>& search, const Eights& eights, int count) {
+    const int begin = search.body().begin;
+    int* next = row_.data();
+    for (int e = 0; e < eights.count; ++e) {
+      const std::array<int, lanes>& bits = lane_bits::set_bits.of[eights.which[e]];
+      for (int k = 0; k < lanes; ++k) next[k] = begin + eights.place[e] + bits[k];
+      next += std::popcount(eights.which[e]);
+    }
+    if (search.cells().keeps_order()) return;
+    std::transform(row_.data(), next, row_.data(), [&](int place) { return begin + search.cells().number(place - begin); });
+    std::sort(row_.data(), row_.data() + count);
+  }
+
+  std::vector<int> row_;
+};
+
+/// Finds the radii of a block. One for each thread; it keeps its memory.
+template <int D>
+class RadiusFinder {
+ public:
+  explicit RadiusFinder(int neighbors) : wanted_(neighbors) {}
+
+  void find(const Block<D>& block, std::vector<double>& radius) {
+    // a little more than the mean volume per particle asks for. Any guess gives the same radii
+    const double first_guess = block.search->body().spacing * (D == 3 ? std::cbrt(0.3 * wanted_) : std::sqrt(0.4 * wanted_));
+    double guess = first_guess;
+    for (int slot = block.begin; slot < block.end; slot += lanes)
+      guess = std::max(0.1 * first_guess, 1.03 * find(*block.search, slot, guess, radius.data() + slot));
+  }
+
+ private:
+  /// Returns the largest distance of a particle that is just out.
+  double find(const BodySearch<D>& search, int slot, double guess, double* radius) {
+    double farthest2 = 0.0, reach[lanes];
+    std::fill(reach, reach + lanes, guess);
+    unsigned open = (1U << search.particles_in(slot)) - 1U;
+    while (open != 0U) {
+      search.find_rows(slot, reach, rows_);
+      for (int k = 0; k < lanes; ++k) {
+        if ((open >> k & 1U) == 0U) continue;
+        const std::ptrdiff_t count = distances(search, slot + k, reach[k]);
+        if (count <= wanted_) {
+          reach[k] *= 1.25;
+          continue;
+        }
+        open &= ~(1U << k);
+        std::nth_element(distance2_.begin(), distance2_.begin() + wanted_, distance2_.begin() + count);
+        const double outside = distance2_[wanted_];
+        const double inside = *std::max_element(distance2_.begin(), distance2_.begin() + wanted_);
+        radius[k] = std::pow(0.5 * (std::pow(inside, 0.5 * D) + std::pow(outside, 0.5 * D)), 1.0 / D);
+        farthest2 = std::max(farthest2, outside);
+      }
+    }
+    return std::sqrt(farthest2);
+  }
+
+  /// Collects the squared distances of all that are closer than `reach`, and returns how many.
+  std::ptrdiff_t distances(const BodySearch<D>& search, int slot, double reach) {
+    std::size_t count = 0;
+    search.for_each_eight(slot, reach, rows_, [&](int, const Pack& r2, unsigned others) {
+      const unsigned bits = lane_bits::bits_of(r2 < Pack(reach * reach)) & others;
+      alignas(64) double distance2[lanes];
+      r2.store(distance2);
+      if (distance2_.size() < count + lanes) distance2_.resize(2 * count + 64);
+      for (int k = 0; k < lanes; ++k) distance2_[count + k] = distance2[lane_bits::set_bits.of[bits][k]];
+      count += std::popcount(bits);
+    });
+    return static_cast<std::ptrdiff_t>(count);
+  }
+
+  int wanted_;
+  std::vector<NearRow> rows_;
+  std::vector<double> distance2_;
+};
+
+void count_entries(PairList& list) {
+  const std::size_t slices = list.neighbor_count.size() / lanes;
+  list.first_entry.assign(slices + 1, 0);
+  for (std::size_t s = 0; s < slices; ++s) {
+    const int* counts = list.neighbor_count.data() + lanes * s;
+    list.first_entry[s + 1] = list.first_entry[s] + *std::max_element(counts, counts + lanes);
+    for (int k = 0; k < lanes; ++k) list.pairs += counts[k];
   }
 }
 
@@ -43,74 +218,54 @@ void for_each_row(const std::vector<Point>& points, const BodyRange& body, const
 
 template <int D>
 PairList build_pair_list(const Particles<D>& particles, const std::vector<double>& support_radius) {
+  const std::vector<BodySearch<D>> searches = make_searches(particles);
+  std::vector<Block<D>> blocks = make_blocks(searches);
+  const int count = static_cast<int>(blocks.size());
   PairList list;
-  const int slices = particles.slots / lanes;
   list.neighbor_count.assign(particles.slots, 0);
-  std::vector<CellList> cells;
-  std::vector<std::vector<Point>> points;
-  for (const BodyRange& body : particles.bodies) {
-    points.push_back(reference_points(particles, body));
-    cells.emplace_back(points.back(), largest_radius(support_radius, body));
-    for_each_row(points.back(), body, support_radius, cells.back(),
-                 [&](int slot, const std::vector<int>& found) { list.neighbor_count[slot] = static_cast<int>(found.size()); });
-  }
-
-  list.first_entry.assign(slices + 1, 0);
-  for (int s = 0; s < slices; ++s) {
-    const auto* counts = list.neighbor_count.data() + lanes * s;
-    list.first_entry[s + 1] = list.first_entry[s] + *std::max_element(counts, counts + lanes);
-    for (int k = 0; k < lanes; ++k) list.pairs += counts[k];
-  }
+  std::vector<NeighborFinder<D>> finders(omp_get_max_threads());
+#pragma omp parallel for schedule(dynamic, 1)
+  for (int b = 0; b < count; ++b) finders[omp_get_thread_num()].find(blocks[b], support_radius, list.neighbor_count.data());
+  count_entries(list);
   list.neighbor = AlignedArray<int>(list.entries() * lanes);
-  for (int s = 0; s < slices; ++s)
-    for (std::size_t e = list.first_entry[s]; e < list.first_entry[s + 1]; ++e)
-      for (int k = 0; k < lanes; ++k) list.neighbor[lanes * e + k] = lanes * s + k;
-  for (std::size_t b = 0; b < cells.size(); ++b)
-    for_each_row(points[b], particles.bodies[b], support_radius, cells[b], [&](int slot, const std::vector<int>& found) {
-      std::size_t e = list.first_entry[slot / lanes];
-      for (int j : found) list.neighbor[lanes * e++ + slot % lanes] = j;
-    });
+#pragma omp parallel
+  {
+    EntryWriter<D> writer;
+#pragma omp for schedule(dynamic, 1)
+    for (int b = 0; b < count; ++b) writer.write(blocks[b], list);
+  }
   return list;
 }
 
 template <int D>
 std::vector<double> radius_of_neighbors(const Particles<D>& particles, double neighbors) {
-  std::vector<double> radius(particles.slots, 0.0);
   const int wanted = static_cast<int>(std::lround(neighbors));
-  for (const BodyRange& body : particles.bodies) {
+  for (const BodyRange& body : particles.bodies)
     if (body.count < wanted + 2)
       throw CaseError("body \"" + body.name + "\" has " + std::to_string(body.count) + " particles, too few for neighbors = " +
                       std::to_string(wanted) + " around each. Make its spacing smaller or ask for fewer neighbors.");
-    const std::vector<Point> points = reference_points(particles, body);
-    const CellList cells(points, 2.0 * body.spacing);
-    const double guess = body.spacing * (D == 3 ? std::cbrt(neighbors) : std::sqrt(neighbors));
+  const std::vector<BodySearch<D>> searches = make_searches(particles);
+  const std::vector<Block<D>> blocks = make_blocks(searches);
+  const int count = static_cast<int>(blocks.size());
+  std::vector<double> radius(particles.slots, 0.0);
 #pragma omp parallel
-    {
-      std::vector<double> distances;
-#pragma omp for schedule(dynamic, 64)
-      for (int i = 0; i < body.count; ++i) {
-        for (double search = guess;; search *= 1.5) {
-          distances.clear();
-          cells.for_each_within(points[i], search, [&](int j, double r2) {
-            if (j != i) distances.push_back(r2);
-          });
-          if (static_cast<int>(distances.size()) > wanted) break;
-        }
-        std::nth_element(distances.begin(), distances.begin() + wanted, distances.end());
-        const double outside = distances[wanted];
-        const double inside = *std::max_element(distances.begin(), distances.begin() + wanted);
-        radius[body.begin + i] = std::pow(0.5 * (std::pow(inside, 0.5 * D) + std::pow(outside, 0.5 * D)), 1.0 / D);
-      }
-    }
+  {
+    RadiusFinder<D> finder(wanted);
+#pragma omp for schedule(dynamic, 1)
+    for (int b = 0; b < count; ++b) finder.find(blocks[b], radius);
   }
   return radius;
 }
 
 int reach(const PairList& list, int begin, int end) {
   int most = 0;
-  for (int s = begin / lanes; s < end / lanes; ++s)
-    for (std::size_t e = list.first_entry[s]; e < list.first_entry[s + 1]; ++e)
-      for (int k = 0; k < lanes; ++k) most = std::max(most, std::abs(list.entry(e)[k] - (lanes * s + k)));
+  for (int slot = begin; slot < end; ++slot) {
+    const std::size_t first = list.first_entry[slot / lanes];
+    const int count = list.neighbor_count[slot], lane = slot % lanes;
+    if (count == 0 || first == list.first_entry[slot / lanes + 1]) continue;
+    // neighbors ascend
+    most = std::max({most, slot - list.entry(first)[lane], list.entry(first + count - 1)[lane] - slot});
+  }
   return most;
 }
 

@@ -17,7 +17,6 @@ struct PairList {
   int slices() const { return static_cast<int>(first_entry.size()) - 1; }
   std::size_t entries() const { return first_entry.back(); }
   const int* entry(std::size_t e) const { return neighbor.data() + lanes * e; }
-  double fill() const { return static_cast<double>(pairs) / (static_cast<double>(entries()) * lanes); }
   std::size_t bytes() const { return neighbor.bytes() + neighbor_count.size() * 4 + first_entry.size() * 8; }
 };
 

@@ -1,58 +1,70 @@
+#include <sinew/particles/aligned_array.hpp>
 #include <sinew/particles/order.hpp>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <numeric>
 
 namespace sinew {
 
 namespace {
 
-struct Bounds {
-  Point low, high;
-};
-
-Bounds bounds_of(const std::vector<Point>& points) {
-  Bounds b{points.front(), points.front()};
-  for (const Point& p : points)
-    for (int c = 0; c < 3; ++c) {
-      b.low[c] = std::min(b.low[c], p[c]);
-      b.high[c] = std::max(b.high[c], p[c]);
-    }
-  return b;
-}
-
-struct Key {
-  long slab, layer;
+struct Place {
+  std::uint64_t row;
   double along;
   int point;
-  bool operator<(const Key& o) const {
-    if (slab != o.slab) return slab < o.slab;
-    if (layer != o.layer) return layer < o.layer;
+  bool operator<(const Place& o) const {
+    if (row != o.row) return row < o.row;
     if (along != o.along) return along < o.along;
     return point < o.point;
   }
 };
 
+/// Counting sort by row, or by ranges of rows where most rows are empty. Bucket b is [first[b], first[b + 1]).
+AlignedArray<Place> sorted_into_buckets(std::span<const Point> points, const SlabGrid& grid, std::vector<std::size_t>& first) {
+  AlignedArray<std::uint64_t> row(points.size());
+  std::uint64_t most = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    row[i] = grid.row(points[i]);
+    most = std::max(most, row[i]);
+  }
+  int shift = 0;
+  while (most >> shift > 4 * points.size() + 64) ++shift;
+  first.assign((most >> shift) + 2, 0);
+  for (const std::uint64_t r : row) ++first[(r >> shift) + 1];
+  for (std::size_t b = 1; b < first.size(); ++b) first[b] += first[b - 1];
+  std::vector<std::size_t> next(first.begin(), first.end() - 1);
+  AlignedArray<Place> places(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+    places[next[row[i] >> shift]++] = {row[i], points[i][grid.fastest], static_cast<int>(i)};
+  return places;
+}
+
 }  // namespace
 
-std::vector<int> computing_order(const std::vector<Point>& points, double spacing, int dimension) {
-  std::vector<int> order(points.size());
-  std::iota(order.begin(), order.end(), 0);
-  if (points.empty()) return order;
-  const Bounds b = bounds_of(points);
+SlabGrid::SlabGrid(std::span<const Point> points, double point_spacing, int dimension) : spacing(point_spacing) {
+  if (points.empty()) return;
+  Point high = low = points.front();
+  for (const Point& p : points)
+    for (int c = 0; c < 3; ++c) {
+      low[c] = min(low[c], p[c]);
+      high[c] = max(high[c], p[c]);
+    }
   std::array<int, 3> axes{0, 1, 2};
   std::stable_sort(axes.begin(), axes.begin() + dimension,
-                   [&](int p, int q) { return b.high[p] - b.low[p] > b.high[q] - b.low[q] + 1e-9 * spacing; });
-  const int slowest = axes[0], fastest = axes[1], middle = dimension == 3 ? axes[2] : axes[0];
-  // half a spacing of margin keeps the rows of a lattice, rounded or a little disturbed, in the middle of their bins
-  auto bin = [&](const Point& p, int axis) { return std::lround((p[axis] - b.low[axis]) / spacing); };
-  std::vector<Key> keys(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i)
-    keys[i] = {bin(points[i], slowest), dimension == 3 ? bin(points[i], middle) : 0, points[i][fastest], static_cast<int>(i)};
-  std::sort(keys.begin(), keys.end());
-  std::transform(keys.begin(), keys.end(), order.begin(), [](const Key& key) { return key.point; });
+                   [&](int p, int q) { return high[p] - low[p] > high[q] - low[q] + 1e-9 * spacing; });
+  slowest = axes[0], fastest = axes[1], middle = axes[2];
+  if (dimension == 3) layers = bin(high, middle) + 1;
+}
+
+std::vector<int> computing_order(std::span<const Point> points, double spacing, int dimension) {
+  std::vector<std::size_t> first;
+  AlignedArray<Place> places = sorted_into_buckets(points, SlabGrid(points, spacing, dimension), first);
+  for (std::size_t b = 0; b + 1 < first.size(); ++b) {
+    Place *begin = places.data() + first[b], *end = places.data() + first[b + 1];
+    if (!std::is_sorted(begin, end)) std::sort(begin, end);
+  }
+  std::vector<int> order(points.size());
+  std::transform(places.begin(), places.end(), order.begin(), [](const Place& place) { return place.point; });
   return order;
 }
 

@@ -58,6 +58,17 @@ TEST(LargestEigenvalueBound, KnownSpectra) {
   EXPECT_LE(of(5, 1, 5), 5.75);
 }
 
+TEST(LargestEigenvalueBound, IsExactInThePlane) {
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> entry(-1.0, 1.0);
+  for (int trial = 0; trial < 2000; ++trial) {
+    const double off_diagonal = entry(random);
+    const PlaneMatrix<double> a{{{{entry(random), off_diagonal}, {off_diagonal, entry(random)}}}, entry(random)};
+    EXPECT_NEAR(largest_eigenvalue_bound(a), largest_eigenvalue(in_space(a)), 2e-15);
+  }
+  EXPECT_EQ(largest_eigenvalue_bound(PlaneMatrix<double>::identity()), 1.0);
+}
+
 template <class Material>
 class AcousticStiffness : public ::testing::Test {};
 TYPED_TEST_SUITE(AcousticStiffness, MaterialTypes, MaterialNames);
@@ -83,6 +94,26 @@ TYPED_TEST(AcousticStiffness, BoundsTheAcousticTensorTightly) {
     }
   }
   this->RecordProperty("loosest", std::to_string(loosest));
+}
+
+/// The same for plane states as PlaneMatrix; the directions are still all of those in space.
+TYPED_TEST(AcousticStiffness, BoundsTheAcousticTensorOfPlaneStates) {
+  std::mt19937_64 random(29);
+  std::vector<Vec3<double>> directions;
+  for (int k = 0; k < 2000; ++k) directions.push_back(random_direction(random));
+  for (const double lambda : {1.2, 40.0}) {
+    const auto material = with_lame<TypeParam>(lambda, 0.8);
+    for (int trial = 0; trial < 50; ++trial) {
+      const double stretch = std::uniform_real_distribution<double>(0.6, 1.5)(random);
+      const PlaneMatrix<double> F{random_matrix<2>(random, trial % 2 == 0 ? 0.2 : 0.6, 0.3), stretch};
+      const Tangent<double> A = material.tangent(in_space(F));
+      double sampled = -1e300;
+      for (const Vec3<double>& N : directions) sampled = std::max(sampled, largest_eigenvalue(acoustic_tensor(A, N)));
+      const double bound = material.acoustic_stiffness(F);
+      EXPECT_GE(bound, sampled - 1e-12 * std::sqrt(double_dot(A, A)));
+      EXPECT_LE(bound, sampled * 2.5) << "J = " << determinant(F);
+    }
+  }
 }
 
 TYPED_TEST(AcousticStiffness, IsTheModulusOfPlaneWavesInTheReference) {
