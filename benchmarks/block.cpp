@@ -1,91 +1,23 @@
-/// Particle-steps per second of a whole step, and the ratio to the plain solver, measured in turns in one run.
+/// Particle-steps per second of whole steps of a block, the ratio to the plain solver measured in turns in the same run, and how near the
+/// machine's roofline, measured in the same run too.
 
 #include <fmt/format.h>
-#include <omp.h>
 
-#include <algorithm>
 #include <cstdlib>
-#include <random>
 #include <string_view>
 
-#include "plain_tlsph.hpp"
-#include <sinew/core/timer.hpp>
-#include <sinew/formulations/total_lagrangian.hpp>
+#include "block_setup.hpp"
+#include "roofline.hpp"
 #include <sinew/time/velocity_verlet.hpp>
 
-namespace {
+namespace sinew::benchmark {
 
-using namespace sinew;
-
-constexpr double support = 2.41;
-
-StVenantKirchhoff material() {
-  StVenantKirchhoff m;
-  m.density = 1.0;
-  m.elastic.youngs_modulus = 1.0;
-  m.elastic.poissons_ratio = 0.3;
-  m.elastic.complete();
-  return m;
-}
-
-/// The form of the hourglass force; the plain solver has both.
-HourglassStiffness hourglass(bool conservative) {
-  HourglassStiffness h;
-  h.normalization.value = conservative ? "conservative" : "half";
-  return h;
-}
-
-template <int D>
-PointSet block(int n, double jitter) {
-  std::mt19937_64 random(3);
-  std::uniform_real_distribution<double> move(-jitter, jitter);
-  PointSet points;
-  points.spacing = 1.0;
-  for (int k = 0; k < (D == 3 ? n : 1); ++k)
-    for (int j = 0; j < n; ++j)
-      for (int i = 0; i < n; ++i) {
-        points.position.push_back({{i + move(random), j + move(random), D == 3 ? k + move(random) : 0.0}});
-        points.volume.push_back(1.0);
-      }
-  return points;
-}
-
-/// The plain solver with the particles in the same order and with the same neighbors.
-template <int D>
-plain::Solver<D> plain_solver(const Particles<D>& particles, const PairList& list, bool conservative) {
-  const StVenantKirchhoff m = material();
-  plain::Solver<D> solver;
-  solver.c = {m.elastic.lambda(), m.elastic.mu(), m.elastic.youngs_modulus, support, hourglass(conservative).coefficient(),
-              conservative};
-  std::vector<int> number(particles.slots, -1);
-  for (int slot = 0, next = 0; slot < particles.slots; ++slot)
-    if (particles.user_index[slot] >= 0) number[slot] = next++;
-  solver.first.push_back(0);
-  for (int slot = 0; slot < particles.slots; ++slot) {
-    if (number[slot] < 0) continue;
-    plain::Particle<D> p{};
-    p.X = particles.position[slot];
-    p.x = p.X + particles.displacement[slot];
-    p.v = particles.velocity[slot];
-    p.volume = p.mass = 1.0;
-    solver.particles.push_back(p);
-    for (int n = 0; n < list.neighbor_count[slot]; ++n)
-      solver.neighbors.push_back(number[list.neighbor[lanes * (list.first_entry[slot / lanes] + n) + slot % lanes]]);
-    solver.first.push_back(solver.neighbors.size());
-  }
-  solver.compute_corrections();
-  return solver;
-}
-
-template <int D>
-void set_motion(Particles<D>& particles) {
-  for (int slot : particles.slot_of)
-    for (int c = 0; c < D; ++c) {
-      const double X = particles.position.at((c + 1) % D, slot);
-      particles.displacement.at(c, slot) = 0.05 * std::sin(0.3 * X + c);
-      particles.velocity.at(c, slot) = 0.01 * std::cos(0.2 * X - c);
-    }
-}
+struct Options {
+  std::vector<int> sizes3{64}, sizes2{512}, threads{1};
+  int repeats = 5;
+  bool conservative = true, lattice = true;
+  WeightStorage weights = WeightStorage::stored;
+};
 
 template <int D>
 double largest_difference(const Particles<D>& particles, const plain::Solver<D>& solver) {
@@ -94,10 +26,8 @@ double largest_difference(const Particles<D>& particles, const plain::Solver<D>&
   for (int slot = 0; slot < particles.slots; ++slot) {
     if (particles.user_index[slot] < 0) continue;
     const plain::Particle<D>& p = solver.particles[next++];
-    for (int c = 0; c < D; ++c) {
-      worst = std::max(worst, std::abs(particles.acceleration.at(c, slot) - p.f[c]));
-      largest = std::max(largest, std::abs(p.f[c]));
-    }
+    worst = std::max(worst, norm(particles.acceleration[slot] - p.f));
+    largest = std::max(largest, norm(p.f));
   }
   return worst / largest;
 }
@@ -107,92 +37,150 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-struct Options {
-  int size3 = 64, size2 = 512, repeats = 5, threads = 1;
-  bool conservative = true;
-  WeightStorage weights = WeightStorage::stored;
+/// Seconds of one step, ours and the plain one.
+struct Timings {
+  std::vector<double> ours, plain;
 };
 
 template <int D>
-void run(int n, double jitter, const Options& o) {
-  const PointSet points = block<D>(n, jitter);
-  Particles<D> particles = make_particles<D>({{"block", &points, 1.0, 1.0}}, 1.0);
-  const Stopwatch setup;
-  const TotalLagrangian<D> solid(particles, std::vector<double>(particles.slots, support),
-                                 {Spiky{}, GradientCorrection{}, hourglass(o.conservative), {material()}, false, 1.0, o.weights});
-  const double setup_seconds = setup.seconds();
-  set_motion(particles);
-  ForceStreams<D> forces = solid.make_streams();
-  plain::Solver<D> solver =
-      plain_solver(particles, build_pair_list(particles, std::vector<double>(particles.slots, support)), o.conservative);
-  const double dt = 0.05;
-  auto accelerate = [&](double step) {
-    solid.internal_forces(particles, forces, AccelerateAndKick<D>{particles, forces, {}, step, 0.0});
-  };
-  accelerate(0.0);
-  solver.compute_forces();
-  const double difference = largest_difference(particles, solver);
+class Block {
+ public:
+  Block(int n, double jitter, const Options& options)
+      : options_(options),
+        n_(n),
+        jitter_(jitter),
+        points_(block<D>(n, jitter)),
+        particles_(make_particles<D>({{"block", &points_, 1.0, 1.0}}, 1.0)),
+        radius_(particles_.slots, support),
+        solid_(particles_, radius_, solver_options()),
+        setup_seconds_(watch_.seconds()),
+        forces_(solid_.make_streams()) {
+    set_motion(particles_);
+  }
 
-  constexpr int steps = 3;
-  std::vector<double> ours, sweep, theirs;
-  for (int r = 0; r < o.repeats; ++r) {
+  void report(int threads, const Machine& machine) {
+    omp_set_num_threads(threads);
+    plain::Solver<D> solver = plain_solver(particles_, build_pair_list(particles_, radius_), options_.conservative);
+    accelerate(0.0);
+    solver.compute_forces();
+    const double difference = largest_difference(particles_, solver);
+    Timings t;
+    for (int r = 0; r < options_.repeats; ++r) time_once(solver, t);
+    print(threads, machine, t, difference);
+  }
+
+ private:
+  TotalLagrangianOptions solver_options() const {
+    TotalLagrangianOptions o{Spiky{}, GradientCorrection{}, hourglass(options_.conservative), {material()}, false, 1.0};
+    o.weights = options_.weights;
+    o.lattice = options_.lattice;
+    return o;
+  }
+  void accelerate(double dt) {
+    solid_.internal_forces(particles_, forces_, AccelerateAndKick<D>{particles_, forces_, {}, dt, 0.0});
+  }
+
+  void time_once(plain::Solver<D>& solver, Timings& t) {
+    constexpr int steps = 4;
+    constexpr double dt = 0.05;
     const Stopwatch fast;
     for (int k = 0; k < steps; ++k) {
-      kick_and_drift(particles, dt, 0.0);
+      kick_and_drift(particles_, dt, 0.0);
       accelerate(dt);
     }
-    ours.push_back(fast.seconds() / steps);
-    const Stopwatch pairs_only;
-    solid.internal_forces(particles, forces);
-    sweep.push_back(pairs_only.seconds());
-    for (int s = 0; s < 2; ++s) {
-      std::fill(forces.rows[s].begin(), forces.rows[s].end(), 0.0);
-      forces.fields[s].clear();
-    }
+    t.ours.push_back(fast.seconds() / steps);
     const Stopwatch slow;
     solver.step(dt);
-    theirs.push_back(slow.seconds());
+    t.plain.push_back(slow.seconds());
   }
-  const double pairs = static_cast<double>(solid.pairs().pairs);
-  const double bytes = static_cast<double>(particles.bytes() + solid.bytes() + forces.bytes()) / particles.count;
-  const double counted = 60.0 * 8.0 + pairs / particles.count * 20.0;
-  fmt::print(
-      "{}D {:>4}^{} {:<9} {:5.1f} neighbors | step {:7.3f} million particle-steps/s | {:5.2f} ns a pair in the sweep | plain "
-      "{:6.3f} | ratio {:5.2f} | "
-      "{:5.0f} bytes a particle ({:4.2f} of the count) | set-up {:4.0f} steps | forces differ by {:.0e}\n",
-      D, n, D, jitter > 0.0 ? "jittered" : "lattice", pairs / particles.count, 1e-6 * particles.count / median(ours),
-      1e9 * median(sweep) / pairs, 1e-6 * particles.count / median(theirs), median(theirs) / median(ours), bytes, bytes / counted,
-      setup_seconds / median(ours), difference);
+
+  void print(int threads, const Machine& machine, const Timings& t, double difference) const {
+    const double count = particles_.count, neighbors = static_cast<double>(solid_.pairs().pairs) / count;
+    const Method method{solid_.lattice().slices() > 0, options_.conservative,
+                        options_.weights == WeightStorage::stored   ? 8
+                        : options_.weights == WeightStorage::single ? 4
+                                                                    : 0};
+    const double flops = flops_of_pair<D>(method), bytes = bytes_of_particle<D>(method, neighbors);
+    const double ours = median(t.ours) / count, plain = median(t.plain) / count;
+    const double bound = std::max(flops * neighbors / machine.flops_per_second, bytes / machine.bytes_per_second);
+    const double memory = static_cast<double>(particles_.bytes() + solid_.bytes() + forces_.bytes()) / count;
+    fmt::print(
+        "| {}D {}^{} {} | {} | {:.1f} | {:.2f} | {:.2f} | {:.0f} | {:.1f} | {:.3f} | {:.2f} | {:.0f} % | {:.0f} | {:.1f} | "
+        "{:.0e} |\n",
+        D, n_, D, jitter_ > 0.0 ? "jittered" : "lattice", threads, neighbors, 1e-6 / ours, 1e9 * ours / neighbors, flops,
+        bytes / neighbors, 1e-6 / plain, plain / ours, 100.0 * bound / ours, memory, setup_seconds_ / median(t.ours), difference);
+    std::fflush(stdout);
+  }
+
+  const Options& options_;
+  int n_;
+  double jitter_;
+  PointSet points_;
+  Stopwatch watch_;
+  Particles<D> particles_;
+  std::vector<double> radius_;
+  TotalLagrangian<D> solid_;
+  double setup_seconds_;
+  ForceStreams<D> forces_;
+};
+
+template <int D>
+void run(const std::vector<int>& sizes, const Options& o, const std::vector<Machine>& machines) {
+  for (int n : sizes)
+    for (double jitter : {0.2, 0.0})
+      for (std::size_t k = 0; k < o.threads.size(); ++k) {
+        omp_set_num_threads(o.threads[k]);
+        Block<D>(n, jitter, o).report(o.threads[k], machines[k]);
+      }
 }
 
-}  // namespace
+std::vector<int> numbers(std::string_view text) {
+  std::vector<int> all;
+  for (std::size_t at = 0; at < text.size(); at = text.find(',', at) == text.npos ? text.size() : text.find(',', at) + 1)
+    all.push_back(std::atoi(text.data() + at));
+  return all;
+}
+
+constexpr std::string_view usage =
+    "benchmark_block [--size N,...] [--size2 N,...] [--threads N,...] [--repeats N] [--form conservative|half]\n"
+    "                [--weights stored|single|computed] [--lattice auto|off]\n"
+    "--size: edge of the 3D block in particles, --size2: of the 2D one; 0: none. A comma separates several.\n";
+
+bool read(std::string_view option, std::string_view value, Options& o) {
+  if (option == "--size") return o.sizes3 = numbers(value), true;
+  if (option == "--size2") return o.sizes2 = numbers(value), true;
+  if (option == "--threads") return o.threads = numbers(value), true;
+  if (option == "--repeats") return o.repeats = std::max(1, numbers(value)[0]), true;
+  if (option == "--form") return o.conservative = value == "conservative", value == "conservative" || value == "half";
+  if (option == "--lattice") return o.lattice = value == "auto", value == "auto" || value == "off";
+  for (WeightStorage storage : {WeightStorage::stored, WeightStorage::single, WeightStorage::computed})
+    if (option == "--weights" && value == name_of(storage)) return o.weights = storage, true;
+  return false;
+}
+
+void run_all(const Options& o) {
+  fmt::print("St. Venant-Kirchhoff with hourglass control ({}), weights {}, medians of {}\n",
+             o.conservative ? "conservative" : "half", name_of(o.weights), o.repeats);
+  std::vector<Machine> machines;
+  for (int threads : o.threads) {
+    machines.push_back(measure_machine(threads));
+    fmt::print("machine, {} thread(s): {:.0f} GFLOP/s of multiply-adds, {:.1f} GB/s from memory\n", threads,
+               1e-9 * machines.back().flops_per_second, 1e-9 * machines.back().bytes_per_second);
+  }
+  fmt::print(
+      "| block | threads | neighbors | million particle-steps/s | ns a pair | flops a pair | bytes a pair | plain | ratio | of "
+      "the roofline | "
+      "bytes a particle | set-up in steps | difference |\n|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
+  if (o.sizes3[0] > 0) run<3>(o.sizes3, o, machines);
+  if (o.sizes2[0] > 0) run<2>(o.sizes2, o, machines);
+}
+
+}  // namespace sinew::benchmark
 
 int main(int count, char** words) {
-  Options o;
-  for (int k = 1; k + 1 < count; k += 2) {
-    const std::string_view word = words[k];
-    const int value = std::atoi(words[k + 1]);
-    if (word == "--size")
-      o.size3 = value;
-    else if (word == "--size2")
-      o.size2 = value;
-    else if (word == "--repeats")
-      o.repeats = value;
-    else if (word == "--threads")
-      o.threads = value;
-    else if (word == "--weights")
-      o.weights = words[k + 1][1] == 't'   ? WeightStorage::stored
-                  : words[k + 1][1] == 'i' ? WeightStorage::single
-                                           : WeightStorage::computed;
-    else if (word == "--conservative")
-      o.conservative = value != 0;
-    else
-      return fmt::print("unknown option {}; known: --size --size2 --repeats --threads --conservative\n", word), 2;
-  }
-  omp_set_num_threads(o.threads);
-  fmt::print("one step of St. Venant-Kirchhoff with hourglass control, {} thread(s), median of {}\n", o.threads, o.repeats);
-  run<3>(o.size3, 0.2, o);
-  run<3>(o.size3, 0.0, o);
-  run<2>(o.size2, 0.2, o);
-  run<2>(o.size2, 0.0, o);
+  sinew::benchmark::Options options;
+  for (int k = 1; k < count; k += 2)
+    if (k + 1 == count || !sinew::benchmark::read(words[k], words[k + 1], options))
+      return fmt::print(stderr, "unknown option or value \"{}\"\n{}", words[k], sinew::benchmark::usage), 2;
+  sinew::benchmark::run_all(options);
 }

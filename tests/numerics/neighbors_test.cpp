@@ -122,7 +122,8 @@ TEST(PairList, ParticlesInAnyOrder) {
 }
 
 TEST(PairList, SameForAnyNumberOfThreads) {
-  const Cloud<3> cloud = make_cloud<3>(17, 0.3, 2.41, true, 2, 35);
+  const Cloud<3> cloud = make_cloud<3>(21, 0.3, 2.41, true, 2, 35);
+  ASSERT_GE(cloud.particles.slots, fewest_for_threads);
   const int threads = omp_get_max_threads();
   std::vector<PairList> lists;
   std::vector<std::vector<double>> radii;

@@ -35,7 +35,7 @@ CaseRun::CaseRun(const Case& case_, Simulation& simulation_, const RunFolder& fo
 
 void CaseRun::begin() {
   write_atomically(folder.resolved_case(), case_text);
-  series.emplace(folder.series());
+  frames.emplace(folder, PvdSeries(folder.series()));
   write_frame();
   recorder.begin();
 }
@@ -43,7 +43,7 @@ void CaseRun::begin() {
 void CaseRun::resume(const Checkpoint& checkpoint) {
   simulation.restore({checkpoint.time, checkpoint.step, checkpoint.numbers, checkpoint.arrays});
   write_atomically(folder.resolved_case(), case_text);
-  series.emplace(PvdSeries::resume(folder.series(), checkpoint.time));
+  frames.emplace(folder, PvdSeries::resume(folder.series(), checkpoint.time));
   recorder.resume(checkpoint.numbers);
   last_frame_step = static_cast<long>(checkpoint.numbers.at("run.last_frame_step"));
   earlier_seconds = checkpoint.numbers.at("run.wall_seconds");
@@ -103,13 +103,12 @@ void CaseRun::write_due(double time_before) {
 }
 
 void CaseRun::write_frame() {
-  const long index = static_cast<long>(series->size());
-  write_vtu(folder.frame(index), simulation.snapshot(c.output.fields));
-  series->add(simulation.time(), RunFolder::frame_name(index));
+  frames->write(simulation.snapshot(c.output.fields));
   last_frame_step = simulation.steps();
 }
 
 void CaseRun::write_state() {
+  frames->drain();
   recorder.flush();
   SavedState state = simulation.save();
   recorder.save(state.numbers);
@@ -150,6 +149,7 @@ void CaseRun::write_rest() {
     attempt([&] { write_pictures(); });
   }
   if (status != "interrupted" && last_frame_step != simulation.steps()) attempt([&] { write_frame(); });
+  attempt([&] { frames->drain(); });
   if (status == "unstable")
     attempt([&] { recorder.flush(); });
   else

@@ -4,12 +4,12 @@
 #include <chrono>
 #include <optional>
 #include <sinew/cli/expect.hpp>
+#include <sinew/cli/frame_writer.hpp>
 #include <sinew/cli/options.hpp>
 #include <sinew/cli/recorder.hpp>
 #include <sinew/cli/reporter.hpp>
 #include <sinew/io/checkpoint.hpp>
 #include <sinew/io/run_folder.hpp>
-#include <sinew/io/write_vtk.hpp>
 #include <sinew/model/simulation.hpp>
 #include <string>
 
@@ -47,8 +47,8 @@ class CaseRun {
   void march();
   void step();
   void write_due(double time_before);
-  void write_frame();
-  void write_state();  ///< checkpoint.h5
+  void write_frame();  ///< hands the state to the writer of frames
+  void write_state();  ///< checkpoint.h5, when all frames before it are written
   void write_pictures();
   void write_rest();
   template <class Action>
@@ -65,7 +65,7 @@ class CaseRun {
   RunControl control;
   Recorder recorder;
   std::string case_text;
-  std::optional<PvdSeries> series;
+  std::optional<FrameWriter> frames;
   long last_frame_step = -1;
   std::string status = "completed", message;
   double earlier_seconds = 0.0, stepping_seconds = 0.0;  ///< earlier: of the run that is resumed

@@ -12,6 +12,7 @@ namespace sinew {
 namespace {
 
 constexpr std::size_t time_column = 0, step_column = 1;
+constexpr long particles_a_step = 20000;  ///< a row reads all particles: with k times as many, one every k steps
 
 std::vector<HistoryColumn> columns_of(const Case& c, const Simulation& simulation) {
   const UnitSystem& units = c.general.units;
@@ -40,7 +41,8 @@ Recorder::Recorder(const Case& case_, Simulation& simulation_, const RunFolder& 
       path(folder.history()),
       columns(columns_of(case_, simulation_)),
       probe_min(case_.probes.size(), std::numeric_limits<double>::infinity()),
-      probe_max(case_.probes.size(), -std::numeric_limits<double>::infinity()) {}
+      probe_max(case_.probes.size(), -std::numeric_limits<double>::infinity()),
+      stride(std::max(1L, static_cast<long>(simulation_.facts().particles) / particles_a_step)) {}
 
 void Recorder::begin() {
   file.emplace(path, columns);

@@ -13,7 +13,8 @@
 namespace sinew {
 
 /// Takes a sample when one is due: when a multiple of history_every is reached or passed; without history_every after every
-/// `stride` steps. The stride is 1 until there are `most_rows` rows; then it doubles and every second row is dropped, and so on.
+/// `stride` steps. The stride is 1, in a case of many particles one for every 20 000 of them, until there are `most_rows` rows; then it
+/// doubles and every second row is dropped, and so on.
 class Recorder {
  public:
   static constexpr std::size_t most_rows = 10000;
@@ -45,7 +46,7 @@ class Recorder {
   std::optional<HistoryFile> file;
   std::vector<std::vector<double>> rows;
   std::vector<double> probe_min, probe_max;
-  long stride = 1;
+  long stride;
   double drift = 0.0, last_time_step = 0.0;
   Momenta initial;
 };

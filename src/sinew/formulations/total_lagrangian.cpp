@@ -153,7 +153,7 @@ ForceSummary TotalLagrangian<D>::internal_forces(const Particles<D>& particles, 
 template <int D>
 ForceSummary TotalLagrangian<D>::record(const Particles<D>& particles, RecordedState& state) const {
   if (!unused_forces_) unused_forces_ = std::make_unique<ForceStreams<D>>(make_streams());
-  return sweep(particles, *unused_forces_, &state, [](int, int) {});
+  return sweep(particles, *unused_forces_, &state, [&](int begin, int end) { unused_forces_->clear(begin, end); });
 }
 
 template class TotalLagrangian<2>;

@@ -9,6 +9,7 @@
 #include <sinew/io/vtk_array.hpp>
 #include <sinew/io/write_vtk.hpp>
 #include <stdexcept>
+#include <type_traits>
 
 namespace sinew {
 
@@ -33,7 +34,8 @@ void write_array(PartFile& file, std::string_view name, const std::vector<T>& va
   const std::string size = components > 1 ? fmt::format(" NumberOfComponents=\"{}\"", components) : "";
   file.write(
       fmt::format("        <DataArray type=\"{}\" Name=\"{}\"{} format=\"binary\">\n", vtk_type<T>, xml_escape(name), size));
-  file.write(encode_vtk_array(std::as_bytes(std::span(values))));
+  constexpr ArrayContent content = std::is_floating_point_v<T> ? ArrayContent::computed : ArrayContent::regular;
+  file.write(encode_vtk_array(std::as_bytes(std::span(values)), content));
   file.write("\n        </DataArray>\n");
 }
 

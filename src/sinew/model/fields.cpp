@@ -1,6 +1,7 @@
 #include <sinew/model/fields.hpp>
 
 #include <cmath>
+#include <map>
 #include <set>
 #include <stdexcept>
 
@@ -40,20 +41,62 @@ double von_mises(Mat3<double> s) {
   return std::sqrt(1.5 * double_dot(s, s));
 }
 
-Components recorded_quantity(std::string_view q, int slot, double density, const RecordedState& state) {
-  const Mat3<double> F = matrix_at(state.deformation_gradient, slot), P = matrix_at(state.stress, slot);
-  if (q == "deformation_gradient") return flat(F);
-  if (q == "first_piola_kirchhoff_stress") return flat(P);
-  if (q == "green_lagrange_strain") return flat(0.5 * (transpose(F) * F - Mat3<double>::identity()));
-  if (q == "cauchy_stress") return flat(cauchy_stress(F, P));
-  if (q == "von_mises_stress") return scalar(von_mises(cauchy_stress(F, P)));
-  if (q == "pressure") return scalar(-trace(cauchy_stress(F, P)) / 3.0);
-  if (q == "jacobian") return scalar(determinant(F));
-  if (q == "density") return scalar(density / determinant(F));
-  if (q == "strain_energy_density") return scalar(state.energy_density[slot]);
-  if (q == "hourglass_error") return scalar(state.hourglass_error[slot]);
-  if (q == "thickness_stretch") return scalar(F[2][2]);
-  throw std::logic_error("no such quantity: " + std::string(q));
+template <int D>
+Mat3<double> gradient_at(const QuantitySource<D>& from, int slot) {
+  return matrix_at(from.record->deformation_gradient, slot);
+}
+
+template <int D>
+Mat3<double> first_stress_at(const QuantitySource<D>& from, int slot) {
+  return matrix_at(from.record->stress, slot);
+}
+
+template <int D>
+Mat3<double> cauchy_at(const QuantitySource<D>& from, int slot) {
+  return cauchy_stress(gradient_at(from, slot), first_stress_at(from, slot));
+}
+
+template <int D>
+Components strain_at(const QuantitySource<D>& from, int slot) {
+  const Mat3<double> F = gradient_at(from, slot);
+  return flat(0.5 * (transpose(F) * F - Mat3<double>::identity()));
+}
+
+template <int D>
+Components density_at(const QuantitySource<D>& from, int slot) {
+  return scalar(from.particles.bodies[from.particles.body_of(slot)].density / determinant(gradient_at(from, slot)));
+}
+
+template <int D>
+Components position_at(const QuantitySource<D>& from, int slot) {
+  const Point x = from.particles.current(slot);
+  return {{x[0], x[1], x[2]}, 3};
+}
+
+template <int D>
+const std::map<std::string_view, ParticleQuantity<D>>& quantities() {
+  using Source = const QuantitySource<D>&;
+  static const std::map<std::string_view, ParticleQuantity<D>> list{
+      {"displacement", [](Source s, int i) { return from_vector(s.particles.displacement[i]); }},
+      {"velocity", [](Source s, int i) { return from_vector(s.particles.velocity[i]); }},
+      {"acceleration", [](Source s, int i) { return from_vector(s.particles.acceleration[i]); }},
+      {"force", [](Source s, int i) { return from_vector(s.particles.acceleration[i], s.particles.mass[i]); }},
+      {"position", position_at<D>},
+      {"volume", [](Source s, int i) { return scalar(s.particles.volume[i] * s.solid.options().thickness); }},
+      {"neighbors", [](Source s, int i) { return scalar(static_cast<double>(s.solid.pairs().neighbor_count[i])); }},
+      {"deformation_gradient", [](Source s, int i) { return flat(gradient_at(s, i)); }},
+      {"first_piola_kirchhoff_stress", [](Source s, int i) { return flat(first_stress_at(s, i)); }},
+      {"green_lagrange_strain", strain_at<D>},
+      {"cauchy_stress", [](Source s, int i) { return flat(cauchy_at(s, i)); }},
+      {"von_mises_stress", [](Source s, int i) { return scalar(von_mises(cauchy_at(s, i))); }},
+      {"pressure", [](Source s, int i) { return scalar(-trace(cauchy_at(s, i)) / 3.0); }},
+      {"jacobian", [](Source s, int i) { return scalar(determinant(gradient_at(s, i))); }},
+      {"density", density_at<D>},
+      {"strain_energy_density", [](Source s, int i) { return scalar(s.record->energy_density[i]); }},
+      {"hourglass_error", [](Source s, int i) { return scalar(s.record->hourglass_error[i]); }},
+      {"thickness_stretch", [](Source s, int i) { return scalar(gradient_at(s, i)[2][2]); }},
+  };
+  return list;
 }
 
 const std::set<std::string_view> unrecorded{"displacement", "velocity",  "acceleration", "position",
@@ -64,19 +107,10 @@ const std::set<std::string_view> unrecorded{"displacement", "velocity",  "accele
 bool needs_record(std::string_view quantity) { return !unrecorded.contains(quantity); }
 
 template <int D>
-Components particle_quantity(std::string_view q, int slot, const Particles<D>& particles, const TotalLagrangian<D>& solid,
-                             const RecordedState* state) {
-  if (q == "displacement") return from_vector(particles.displacement[slot]);
-  if (q == "velocity") return from_vector(particles.velocity[slot]);
-  if (q == "acceleration") return from_vector(particles.acceleration[slot]);
-  if (q == "force") return from_vector(particles.acceleration[slot], particles.mass[slot]);
-  if (q == "position") {
-    const Point x = particles.current(slot);
-    return {{x[0], x[1], x[2]}, 3};
-  }
-  if (q == "volume") return scalar(particles.volume[slot] * solid.options().thickness);
-  if (q == "neighbors") return scalar(static_cast<double>(solid.pairs().neighbor_count[slot]));
-  return recorded_quantity(q, slot, particles.bodies[particles.body_of(slot)].density, *state);
+ParticleQuantity<D> particle_quantity(std::string_view name) {
+  const auto found = quantities<D>().find(name);
+  if (found == quantities<D>().end()) throw std::logic_error("no such quantity: " + std::string(name));
+  return found->second;
 }
 
 int component_index(const QuantityInfo& quantity, std::string_view component) {
@@ -87,9 +121,7 @@ int component_index(const QuantityInfo& quantity, std::string_view component) {
   return 3 * axis(component[0]) + axis(component[1]);
 }
 
-template Components particle_quantity<2>(std::string_view, int, const Particles<2>&, const TotalLagrangian<2>&,
-                                         const RecordedState*);
-template Components particle_quantity<3>(std::string_view, int, const Particles<3>&, const TotalLagrangian<3>&,
-                                         const RecordedState*);
+template ParticleQuantity<2> particle_quantity<2>(std::string_view);
+template ParticleQuantity<3> particle_quantity<3>(std::string_view);
 
 }  // namespace sinew

@@ -17,10 +17,21 @@ struct Components {
 /// True for quantities that follow from F or P, which a sweep has to record first.
 bool needs_record(std::string_view quantity);
 
-/// A quantity of one particle. `state` may be null unless needs_record.
+/// What quantities are computed from. `record` may be null unless needs_record.
 template <int D>
-Components particle_quantity(std::string_view quantity, int slot, const Particles<D>& particles, const TotalLagrangian<D>& solid,
-                             const RecordedState* state);
+struct QuantitySource {
+  const Particles<D>& particles;
+  const TotalLagrangian<D>& solid;
+  const RecordedState* record;
+};
+
+/// A quantity of the particle in a slot.
+template <int D>
+using ParticleQuantity = Components (*)(const QuantitySource<D>& source, int slot);
+
+/// The quantity of that name, to be found once and applied to many particles. Throws std::logic_error for a name that is none.
+template <int D>
+ParticleQuantity<D> particle_quantity(std::string_view name);
 
 /// Which of the values of a quantity a component name means: xx -> 0, xy -> 1, ... of a tensor, x y z of a vector; -1: magnitude.
 int component_index(const QuantityInfo& quantity, std::string_view component);

@@ -49,10 +49,11 @@ Probes<D>::Probes(const Case& c, const Regions& regions) : units_(c.general.unit
 
 template <int D>
 double Probes<D>::over_particles(const Probe& probe, const ProbedState<D>& state) const {
+  const ParticleQuantity<D> quantity = particle_quantity<D>(probe.c.quantity);
+  const QuantitySource<D> source{state.particles, state.solid, state.record};
   double sum = 0.0, least = infinity, most = -infinity;
   for (int slot : probe.slots) {
-    const double value =
-        component_of(particle_quantity(probe.c.quantity, slot, state.particles, state.solid, state.record), probe.component);
+    const double value = component_of(quantity(source, slot), probe.component);
     sum += value;
     least = std::min(least, value);
     most = std::max(most, value);

@@ -48,11 +48,17 @@ FieldData SolidSimulation<D>::field(const std::string& name) {
   const RecordedState* state = needs_record(name) ? &record() : nullptr;
   const QuantityInfo& info = *find_quantity(name);
   FieldData data{name, case_.general.units.name_of(info.unit), 1, {}};
+  const ParticleQuantity<D> quantity = particle_quantity<D>(name);
+  const QuantitySource<D> source{particles_, solid_, state};
   const bool symmetric = is_symmetric(name);
-  for (int slot : particles_.slot_of) {
-    const Components q = particle_quantity(name, slot, particles_, solid_, state);
-    data.components = symmetric ? 6 : q.count;
-    for (int c = 0; c < data.components; ++c) data.values.push_back(q.value[symmetric ? symmetric_order[c] : c]);
+  const int count = static_cast<int>(particles_.slot_of.size());
+  data.components = symmetric ? 6 : quantity(source, particles_.slot_of.front()).count;
+  data.values.resize(std::size_t(count) * data.components);
+#pragma omp parallel for schedule(static) if (count >= fewest_for_threads)
+  for (int i = 0; i < count; ++i) {
+    const Components q = quantity(source, particles_.slot_of[i]);
+    double* const out = data.values.data() + std::size_t(i) * data.components;
+    for (int c = 0; c < data.components; ++c) out[c] = q.value[symmetric ? symmetric_order[c] : c];
   }
   return data;
 }
@@ -66,10 +72,16 @@ Snapshot SolidSimulation<D>::snapshot(const std::vector<std::string>& fields) {
   s.length_unit = case_.general.units.name_of("m");
   s.time_unit = case_.general.units.name_of("s");
   for (const BodyRange& body : particles_.bodies) s.body_names.push_back(body.name);
-  for (int slot : particles_.slot_of) {
-    s.position.push_back(particles_.current(slot));
-    s.size.push_back(std::pow(particles_.volume[slot], 1.0 / D));
-    s.body.push_back(particles_.body_of(slot));
+  const int count = static_cast<int>(particles_.slot_of.size());
+  s.position.resize(count);
+  s.size.resize(count);
+  s.body.resize(count);
+#pragma omp parallel for schedule(static) if (count >= fewest_for_threads)
+  for (int i = 0; i < count; ++i) {
+    const int slot = particles_.slot_of[i];
+    s.position[i] = particles_.current(slot);
+    s.size[i] = D == 2 ? std::sqrt(particles_.volume[slot]) : std::cbrt(particles_.volume[slot]);
+    s.body[i] = particles_.body_of(slot);
   }
   for (const std::string& name : fields) s.fields.push_back(field(name));
   return s;
@@ -149,8 +161,10 @@ void SolidSimulation<D>::fail(const std::string& cause) {
   const RecordedState& state = record();
   int worst = particles_.slot_of.front();
   double least = infinity;
+  const ParticleQuantity<D> jacobian = particle_quantity<D>("jacobian");
+  const QuantitySource<D> source{particles_, solid_, &state};
   for (int slot : particles_.slot_of) {
-    const Components J = particle_quantity("jacobian", slot, particles_, solid_, &state);
+    const Components J = jacobian(source, slot);
     const bool finite = std::isfinite(J.value[0]) && std::isfinite(state.energy_density[slot]);
     const double measure = finite ? J.value[0] : -infinity;
     if (measure < least) least = measure, worst = slot;
@@ -162,8 +176,7 @@ void SolidSimulation<D>::fail(const std::string& cause) {
                   "{:.3g}). Likely causes: a load "
                   "or velocity that the particles cannot resolve, too large a time step (try [solver] cfl = {:.2g}), or {}.",
                   time_, case_.general.units.name_of("s"), steps_, particles_.user_index[worst], body.name, x[0], x[1], x[2],
-                  cause, particle_quantity("jacobian", worst, particles_, solid_, &state).value[0], 0.5 * case_.solver.cfl,
-                  hourglass_advice(solid_.options().hourglass)));
+                  cause, jacobian(source, worst).value[0], 0.5 * case_.solver.cfl, hourglass_advice(solid_.options().hourglass)));
 }
 
 template FieldData SolidSimulation<2>::field(const std::string&);

@@ -5,6 +5,7 @@
 
 #include <omp.h>
 
+#include <algorithm>
 #include <atomic>
 #include <sinew/neighbors/pair_list.hpp>
 #include <sinew/particles/rows.hpp>
@@ -100,6 +101,15 @@ struct ForceStreams {
       if (has_fields()) f[c] += fields[0].at(c, slot) + fields[1].at(c, slot);
     }
     return f;
+  }
+  /// Zeros for slots [begin, end).
+  void clear(int begin, int end) {
+    for (int s = 0; s < 2; ++s) {
+      if (has_rows())
+        std::fill(rows[s].data() + std::size_t(vector_width<D>) * begin, rows[s].data() + std::size_t(vector_width<D>) * end,
+                  0.0);
+      for (int c = 0; has_fields() && c < D; ++c) std::fill(fields[s].component(c) + begin, fields[s].component(c) + end, 0.0);
+    }
   }
   std::size_t bytes() const { return rows[0].bytes() + rows[1].bytes() + fields[0].bytes() + fields[1].bytes(); }
 };

@@ -1,6 +1,6 @@
-#include <omp.h>
 #include <sinew/core/error.hpp>
 #include <sinew/neighbors/body_search.hpp>
+#include <sinew/neighbors/chunks.hpp>
 #include <sinew/neighbors/pair_list.hpp>
 #include <sinew/neighbors/store.hpp>
 
@@ -223,12 +223,12 @@ PairList build_pair_list(const Particles<D>& particles, const std::vector<double
   const int count = static_cast<int>(blocks.size());
   PairList list;
   list.neighbor_count.assign(particles.slots, 0);
-  std::vector<NeighborFinder<D>> finders(omp_get_max_threads());
-#pragma omp parallel for schedule(dynamic, 1)
-  for (int b = 0; b < count; ++b) finders[omp_get_thread_num()].find(blocks[b], support_radius, list.neighbor_count.data());
+  std::vector<NeighborFinder<D>> finders(most_threads());
+#pragma omp parallel for schedule(dynamic, 1) if (particles.slots >= fewest_for_threads)
+  for (int b = 0; b < count; ++b) finders[this_thread()].find(blocks[b], support_radius, list.neighbor_count.data());
   count_entries(list);
   list.neighbor = AlignedArray<int>(list.entries() * lanes);
-#pragma omp parallel
+#pragma omp parallel if (particles.slots >= fewest_for_threads)
   {
     EntryWriter<D> writer;
 #pragma omp for schedule(dynamic, 1)
@@ -248,7 +248,7 @@ std::vector<double> radius_of_neighbors(const Particles<D>& particles, double ne
   const std::vector<Block<D>> blocks = make_blocks(searches);
   const int count = static_cast<int>(blocks.size());
   std::vector<double> radius(particles.slots, 0.0);
-#pragma omp parallel
+#pragma omp parallel if (particles.slots >= fewest_for_threads)
   {
     RadiusFinder<D> finder(wanted);
 #pragma omp for schedule(dynamic, 1)
