@@ -171,7 +171,7 @@ struct SolverCase {
 /// [output]
 struct OutputCase {
   double every = 0.0;             ///< 0: only the first and the last state
-  double history_every = 0.0;     ///< 0: every step up to 10 000 rows
+  double history_every = 0.0;     ///< 0: every step, in large cases one in particles / 20 000; up to 10 000 rows
   double checkpoint_every = 0.0;  ///< 0: only at the end or when interrupted
   std::vector<std::string> fields{"displacement", "velocity", "von_mises_stress", "pressure"};
   std::string picture_field = "displacement";
@@ -179,7 +179,8 @@ struct OutputCase {
 
   static void describe(auto&& field, auto& m) {
     field("every", m.every, "s", "Time between particle files; 0: only the first and the last state.", non_negative, optional);
-    field("history_every", m.history_every, "s", "Time between rows of history.csv; 0: every step, up to 10 000 rows.",
+    field("history_every", m.history_every, "s",
+          "Time between rows of history.csv; 0: every step, in large cases one in particles / 20 000, up to 10 000 rows.",
           non_negative, optional);
     field("checkpoint_every", m.checkpoint_every, "s", "Time between checkpoints; 0: only at the end.", non_negative, optional);
     field("fields", m.fields, no_unit, "What the particle files hold.", optional, OneOf{field_names()});

@@ -80,7 +80,7 @@ Snapshot SolidSimulation<D>::snapshot(const std::vector<std::string>& fields) {
   for (int i = 0; i < count; ++i) {
     const int slot = particles_.slot_of[i];
     s.position[i] = particles_.current(slot);
-    s.size[i] = D == 2 ? std::sqrt(particles_.volume[slot]) : std::cbrt(particles_.volume[slot]);
+    s.size[i] = std::pow(particles_.volume[slot], 1.0 / D);
     s.body[i] = particles_.body_of(slot);
   }
   for (const std::string& name : fields) s.fields.push_back(field(name));
