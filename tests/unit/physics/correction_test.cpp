@@ -127,7 +127,8 @@ TEST(Corrections, RadialMeansTheInverseOfTheMoment) {
     const Moments<3> moments = Cloud<3>(true).moments();
     const GradientMap<3> map = Correction{}.map(moments);
     const Mat<double, 3> rest = map.L * moments.first - Mat<double, 3>::identity();
-    EXPECT_EQ(Correction::radial, map.scale == 1.0 && norm(map.shift) == 0.0 && double_dot(rest, rest) < 1e-20) << Correction::name;
+    EXPECT_EQ(Correction::radial, map.scale == 1.0 && norm(map.shift) == 0.0 && double_dot(rest, rest) < 1e-20)
+        << Correction::name;
     EXPECT_FALSE(Correction::summary.empty() || Correction::source.empty());
   });
   EXPECT_EQ(Corrections::names(), (std::vector<std::string>{"none", "shepard", "gradient"}));
