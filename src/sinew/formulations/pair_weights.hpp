@@ -68,7 +68,7 @@ struct SliceConstants {
   Pack hourglass_scale;                ///< 1 / sum_k V_k a_ik r_ik^2 for the conservative form, 1 for the central one [1]
   Pack inverse_length2;                ///< 1 / length^2, length the smaller of V^(1/D) and the nearest distance
 
-  SINEW_INLINE Mat<Pack, D> L() const {
+  SINEW_INLINE Mat<Pack, D> correction_matrix() const {
     Mat<Pack, D> full;
     for (int i = 0, c = 0; i < D; ++i)
       for (int j = i; j < D; ++j, ++c) full[i][j] = full[j][i] = correction[c];

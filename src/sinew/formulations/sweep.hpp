@@ -53,7 +53,7 @@ SINEW_INLINE void find_deformation(const SliceConstants<D>& constants, Pairs& pa
   Mat<Pack, D> S;
   pairs.first_visit([&](const auto& weight, const Vec<Pack, D>& u, const Vec<Pack, D>& X) { S += outer(u, weight.vector(X)); });
   slice.S = S;
-  slice.F = Mat<Pack, D>::identity() + S * constants.L();
+  slice.F = Mat<Pack, D>::identity() + S * constants.correction_matrix();
 }
 
 /// Forces of eight particles and their pairs, once the material has answered.
@@ -67,7 +67,7 @@ SINEW_INLINE void give_forces(const SweepTask<D>& task, const SliceConstants<D>&
   sums.stiffness_rate = max(sums.stiffness_rate, point.acoustic_stiffness * constants.inverse_length2);
 
   const Pack stiffness = volume * task.hourglass * constants.hourglass_scale;
-  Shares shares(PointState<D>{(volume * point.P) * constants.L(), slice.F, slice.S, stiffness});
+  Shares shares(PointState<D>{(volume * point.P) * constants.correction_matrix(), slice.F, slice.S, stiffness});
   pairs.exchange(shares);
   sums.hourglass_energy += shares.hourglass_energy();
 }

@@ -45,11 +45,11 @@ class LatticePairs {
   SINEW_INLINE void first_visit(Use&& use) const {
     for (int k = pattern_.first_mirrored; k < pattern_.end_mirrored; ++k) {
       const MirrorPair& pair = mirrored_[k];
-      use(weights_.of(pair.bond), at(pair.forward) - at(pair.backward), X(pair.bond));
+      use(weights_.of(pair.bond), at(pair.forward) - at(pair.backward), bond_vector(pair.bond));
     }
     for (int k = pattern_.first_single; k < pattern_.end_single; ++k) {
       const SinglePair& pair = single_[k];
-      use(masked(pair), at(pair.offset) - own_, X(pair.bond));
+      use(masked(pair), at(pair.offset) - own_, bond_vector(pair.bond));
     }
   }
 
@@ -58,12 +58,12 @@ class LatticePairs {
   SINEW_INLINE void visit(Use&& use) const {
     for (int k = pattern_.first_mirrored; k < pattern_.end_mirrored; ++k) {
       const MirrorPair& pair = mirrored_[k];
-      use(weights_.of(pair.bond), at(pair.forward) - own_, X(pair.bond));
-      use(weights_.of(pair.bond).reversed(), at(pair.backward) - own_, -X(pair.bond));
+      use(weights_.of(pair.bond), at(pair.forward) - own_, bond_vector(pair.bond));
+      use(weights_.of(pair.bond).reversed(), at(pair.backward) - own_, -bond_vector(pair.bond));
     }
     for (int k = pattern_.first_single; k < pattern_.end_single; ++k) {
       const SinglePair& pair = single_[k];
-      use(masked(pair), at(pair.offset) - own_, X(pair.bond));
+      use(masked(pair), at(pair.offset) - own_, bond_vector(pair.bond));
     }
   }
 
@@ -73,14 +73,15 @@ class LatticePairs {
     Vec<Pack, D> total;
     for (int k = pattern_.first_mirrored; k < pattern_.end_mirrored; ++k) {
       const MirrorPair& pair = mirrored_[k];
-      const auto t = share.mirrored(weights_.of(pair.bond), at(pair.forward) - own_, at(pair.backward) - own_, X(pair.bond));
+      const auto t =
+          share.mirrored(weights_.of(pair.bond), at(pair.forward) - own_, at(pair.backward) - own_, bond_vector(pair.bond));
       subtract(pair.forward, t.forward);
       subtract(pair.backward, t.backward);
       total += t.forward + t.backward;
     }
     for (int k = pattern_.first_single; k < pattern_.end_single; ++k) {
       const SinglePair& pair = single_[k];
-      const Vec<Pack, D> t = share(masked(pair), at(pair.offset) - own_, X(pair.bond));
+      const Vec<Pack, D> t = share(masked(pair), at(pair.offset) - own_, bond_vector(pair.bond));
       subtract(pair.offset, t);
       total += t;
     }
@@ -93,7 +94,7 @@ class LatticePairs {
     for (int c = 0; c < D; ++c) u[c] = Pack::load_unaligned(u_[c] + slot_ + offset);
     return u;
   }
-  SINEW_INLINE Vec<Pack, D> X(int bond) const {
+  SINEW_INLINE Vec<Pack, D> bond_vector(int bond) const {
     Vec<Pack, D> X;
     for (int c = 0; c < D; ++c) X[c] = Pack(bonds_[bond].X[c]);
     return X;
