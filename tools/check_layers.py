@@ -34,7 +34,7 @@ THIRD_PARTY = {
     "muParser*": ["model/expression.cpp"],
     "CLI/*": ["cli/*"],
     "nlohmann/*": ["io/summary.cpp", "cli/verify_table.cpp"],
-    "zlib.h": ["io/vtk_array.cpp", "io/checkpoint.cpp"],
+    "zlib.h": ["io/checkpoint.cpp"],
     "fmt/*": [f"{folder}/*" for folder in MAY_INCLUDE if folder != "core" and folder not in PHYSICS],
 }
 

@@ -10,7 +10,7 @@ static const std::vector<WrongCase> wrong_outputs{
      "max_steps, time_step, damping, pair_weights, lattice."},
     {"UnknownKeyInOutput", "every =", "evry =",
      "case.toml:32:1: [output]: unknown key \"evry\". Did you mean \"every\"? Known keys: every, history_every, "
-     "checkpoint_every, fields, picture_field, picture."},
+     "checkpoint_every, fields, precision, picture_field, picture."},
     {"UnknownKeyInProbe", "component =", "componet =",
      "case.toml:37:1: probe \"tip\": unknown key \"componet\". Did you mean \"component\"? Known keys: name, quantity, region, "
      "reduce, component, expression."},
@@ -42,6 +42,8 @@ static const std::vector<WrongCase> wrong_outputs{
      "displacement, ..."},
     {"FieldsAreString", "fields = [\"velocity\"]", "fields = \"velocity\"",
      "case.toml:33:10: [output]: fields: expected an array of strings, found a string (\"velocity\")"},
+    {"UnknownPrecision", "every =", "precision = \"float\"\nevery =",
+     "case.toml:32:13: [output]: precision: unknown name \"float\". Known names: double, single."},
     {"PictureWithFolder", "every =", "picture = \"a/b.png\"\nevery =",
      "case.toml:32:11: [output]: picture must be a file name that ends with .png, without folders, found \"a/b.png\""},
     {"UnknownPictureField", "every =", "picture_field = \"speed\"\nevery =",

@@ -63,6 +63,50 @@ TEST(Simulation, ThicknessScalesForcesAndEnergies) {
   EXPECT_LT(norm(two->snapshot({}).position[7] - one->snapshot({}).position[7]), 1e-12);
 }
 
+/// Writing many frames: memory that is there already serves again, and the values are those of a new snapshot.
+TEST(Simulation, ASnapshotIsFilledAgainInPlace) {
+  for (int dimension : {2, 3}) {
+    const auto simulation = simulation_of(free_block(dimension));
+    const std::vector<std::string> names{"velocity", "cauchy_stress", "deformation_gradient", "pressure"};
+    Snapshot reused = simulation->snapshot(names);
+    const double* const memory = reused.fields[1].values.data();
+    run_steps(*simulation, 7);
+    simulation->fill_snapshot(names, reused);
+    const Snapshot fresh = simulation->snapshot(names);
+    EXPECT_EQ(reused.fields[1].values.data(), memory);
+    EXPECT_EQ(reused.step, 7);
+    EXPECT_EQ(reused.size, fresh.size);
+    EXPECT_EQ(reused.body, fresh.body);
+    for (std::size_t f = 0; f < names.size(); ++f) EXPECT_EQ(reused.fields[f].values, fresh.fields[f].values) << names[f];
+    for (std::size_t i = 0; i < fresh.position.size(); ++i) EXPECT_EQ(norm(reused.position[i] - fresh.position[i]), 0.0);
+  }
+}
+
+/// Fields by their definition from F and P, particle by particle; six components of symmetric tensors in the order of the files.
+TEST(Simulation, FieldsFollowFromGradientAndStress) {
+  const auto simulation = simulation_of(free_block(2));  // 220 particles: the last ones do not fill a vector
+  run_steps(*simulation, 20);
+  const Snapshot s = simulation->snapshot({"deformation_gradient", "first_piola_kirchhoff_stress", "cauchy_stress", "pressure",
+                                           "von_mises_stress", "green_lagrange_strain", "jacobian"});
+  ASSERT_EQ(s.position.size(), 220u);
+  for (std::size_t i = 0; i < s.position.size(); ++i) {
+    Mat3<double> F, P;
+    for (int k = 0; k < 9; ++k) F[k / 3][k % 3] = s.fields[0].values[9 * i + k], P[k / 3][k % 3] = s.fields[1].values[9 * i + k];
+    const double J = determinant(F);
+    const Mat3<double> sigma = (1.0 / J) * (P * transpose(F)), C = transpose(F) * F;
+    const double small = 1e-12 * std::sqrt(double_dot(sigma, sigma)) + 1e-300;
+    const int row[6] = {0, 1, 2, 0, 1, 0}, column[6] = {0, 1, 2, 1, 2, 2};
+    for (int k = 0; k < 6; ++k) {
+      EXPECT_NEAR(s.fields[2].values[6 * i + k], sigma[row[k]][column[k]], small);
+      EXPECT_NEAR(s.fields[5].values[6 * i + k], 0.5 * (C[row[k]][column[k]] - (row[k] == column[k])), 1e-14);
+    }
+    const double mean = trace(sigma) / 3.0;
+    EXPECT_NEAR(s.fields[3].values[i], -mean, small);
+    EXPECT_NEAR(s.fields[4].values[i], std::sqrt(1.5 * (double_dot(sigma, sigma) - 3.0 * mean * mean)), 1e5 * small);
+    EXPECT_NEAR(s.fields[6].values[i], J, 1e-13);
+  }
+}
+
 TEST(Simulation, TimeIntegrationIsOfSecondOrder) {
   const auto tip = [](double dt) {
     const auto simulation = simulation_of(without_control(2, "time_step = " + std::to_string(dt) + "\n"));

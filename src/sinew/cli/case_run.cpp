@@ -16,6 +16,8 @@ namespace {
 
 using Seconds = std::chrono::duration<double>;
 
+VtkReal real_of(const OutputCase& output) { return output.precision == "single" ? VtkReal::float32 : VtkReal::float64; }
+
 }  // namespace
 
 ExitCode exit_code(const std::string& status) {
@@ -35,7 +37,7 @@ CaseRun::CaseRun(const Case& case_, Simulation& simulation_, const RunFolder& fo
 
 void CaseRun::begin() {
   write_atomically(folder.resolved_case(), case_text);
-  frames.emplace(folder, PvdSeries(folder.series()));
+  frames.emplace(folder, PvdSeries(folder.series()), real_of(c.output));
   write_frame();
   recorder.begin();
 }
@@ -43,7 +45,7 @@ void CaseRun::begin() {
 void CaseRun::resume(const Checkpoint& checkpoint) {
   simulation.restore({checkpoint.time, checkpoint.step, checkpoint.numbers, checkpoint.arrays});
   write_atomically(folder.resolved_case(), case_text);
-  frames.emplace(folder, PvdSeries::resume(folder.series(), checkpoint.time));
+  frames.emplace(folder, PvdSeries::resume(folder.series(), checkpoint.time), real_of(c.output));
   recorder.resume(checkpoint.numbers);
   last_frame_step = static_cast<long>(checkpoint.numbers.at("run.last_frame_step"));
   earlier_seconds = checkpoint.numbers.at("run.wall_seconds");
@@ -103,7 +105,9 @@ void CaseRun::write_due(double time_before) {
 }
 
 void CaseRun::write_frame() {
-  frames->write(simulation.snapshot(c.output.fields));
+  Snapshot snapshot = frames->spent();
+  simulation.fill_snapshot(c.output.fields, snapshot);
+  frames->write(std::move(snapshot));
   last_frame_step = simulation.steps();
 }
 

@@ -4,8 +4,9 @@
 
 namespace sinew {
 
-FrameWriter::FrameWriter(const RunFolder& folder_, PvdSeries series_)
+FrameWriter::FrameWriter(const RunFolder& folder_, PvdSeries series_, VtkReal real_)
     : folder(folder_),
+      real(real_),
       series(std::move(series_)),
       thread([this] { work(); }) {}
 
@@ -16,6 +17,14 @@ FrameWriter::~FrameWriter() {
   }
   changed.notify_all();
   thread.join();
+}
+
+Snapshot FrameWriter::spent() {
+  const std::lock_guard lock(mutex);
+  if (written.empty()) return {};
+  Snapshot snapshot = std::move(written.back());
+  written.pop_back();
+  return snapshot;
 }
 
 void FrameWriter::write(Snapshot snapshot) {
@@ -44,7 +53,7 @@ void FrameWriter::work() {
   for (;;) {
     changed.wait(lock, [this] { return (waiting && !error) || ending; });
     if (!waiting || error) return;
-    const Snapshot snapshot = std::move(*waiting);
+    Snapshot snapshot = std::move(*waiting);
     waiting.reset();
     busy = true;
     changed.notify_all();
@@ -58,13 +67,14 @@ void FrameWriter::work() {
     lock.lock();
     busy = false;
     error = failure;
+    if (written.size() < 2) written.push_back(std::move(snapshot));
     changed.notify_all();
   }
 }
 
 void FrameWriter::write_now(const Snapshot& snapshot) {
   const long index = static_cast<long>(series.size());
-  write_vtu(folder.frame(index), snapshot);
+  write_vtu(folder.frame(index), snapshot, real);
   series.add(snapshot.time, RunFolder::frame_name(index));
 }
 

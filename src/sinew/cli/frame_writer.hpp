@@ -8,6 +8,7 @@
 #include <sinew/io/run_folder.hpp>
 #include <sinew/io/write_vtk.hpp>
 #include <thread>
+#include <vector>
 
 namespace sinew {
 
@@ -16,11 +17,13 @@ namespace sinew {
 /// path and reason) is thrown once, at the next `write` or `drain`; the frames behind it are dropped.
 class FrameWriter {
  public:
-  FrameWriter(const RunFolder& folder, PvdSeries series);
+  FrameWriter(const RunFolder& folder, PvdSeries series, VtkReal real = VtkReal::float64);
   ~FrameWriter();  ///< waits for all frames; an error that nobody asked for is lost
   FrameWriter(const FrameWriter&) = delete;
   FrameWriter& operator=(const FrameWriter&) = delete;
 
+  /// One that is written already, to be filled anew: a run of many frames allocates memory for the first three. Empty if there is none.
+  Snapshot spent();
   void write(Snapshot snapshot);
   void drain();  ///< returns when all frames are in their files and in the series
 
@@ -30,10 +33,12 @@ class FrameWriter {
   void throw_error();
 
   const RunFolder& folder;
+  const VtkReal real;
   PvdSeries series;  ///< of the thread
   std::mutex mutex;  ///< of what follows
   std::condition_variable changed;
   std::optional<Snapshot> waiting;
+  std::vector<Snapshot> written;
   bool busy = false, ending = false;
   std::exception_ptr error;
   std::thread thread;  ///< last: begins when the rest is there

@@ -17,8 +17,6 @@ namespace {
 
 constexpr const char* format_name = "sinew checkpoint";
 constexpr long long format_version = 1;
-constexpr hsize_t chunk_values = 1 << 16;
-constexpr unsigned deflate_level = 1;
 constexpr std::size_t crc_piece = std::size_t{1} << 30;         // zlib counts in 32 bits
 constexpr std::size_t memory_increment = std::size_t{1} << 24;  // bytes
 constexpr const char* case_key = "case";
@@ -78,16 +76,11 @@ void write_text(hid_t group, const std::string& name, const std::string& text) {
   hdf5_check(H5Dwrite(data, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.c_str()), "write " + name);
 }
 
+/// Not compressed: that would take longer than many steps.
 void write_array(hid_t group, const std::string& name, const std::vector<double>& values) {
-  const hsize_t size = values.size(), chunk = std::min(size, chunk_values);
+  const hsize_t size = values.size();
   const Hdf5Handle space(H5Screate_simple(1, &size, nullptr), H5Sclose, "make a data space");
-  const Hdf5Handle plan(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "make a property list");
-  if (size > 0) {
-    hdf5_check(H5Pset_chunk(plan, 1, &chunk), "set chunks");
-    hdf5_check(H5Pset_shuffle(plan), "set shuffle");
-    hdf5_check(H5Pset_deflate(plan, deflate_level), "set deflate");
-  }
-  const Hdf5Handle data(H5Dcreate2(group, name.c_str(), H5T_IEEE_F64LE, space, H5P_DEFAULT, plan, H5P_DEFAULT), H5Dclose,
+  const Hdf5Handle data(H5Dcreate2(group, name.c_str(), H5T_IEEE_F64LE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Dclose,
                         "make " + name);
   if (size > 0) hdf5_check(H5Dwrite(data, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), "write " + name);
 }
@@ -109,16 +102,21 @@ void write_content(hid_t file, const Checkpoint& checkpoint) {
   write_text(file, "format", format_name);
 }
 
-/// The bytes of the HDF5 file. It is made in memory: HDF5 cannot be trusted after a write to a full disk has failed in its hands.
-std::string file_image(const Checkpoint& checkpoint) {
+/// A complete HDF5 file in memory: HDF5 cannot be trusted after a write to a full disk has failed in its hands.
+Hdf5Handle file_in_memory(const Checkpoint& checkpoint) {
   const Hdf5Handle access = in_memory();
-  const Hdf5Handle file(H5Fcreate("checkpoint", H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose, "make the file");
+  Hdf5Handle file(H5Fcreate("checkpoint", H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose, "make the file");
   write_content(file, checkpoint);
   hdf5_check(H5Fflush(file, H5F_SCOPE_LOCAL), "complete the file");
+  return file;
+}
+
+/// Its bytes, as long as it is open.
+std::string_view bytes_of(hid_t file) {
   const ssize_t size = hdf5_check(H5Fget_file_image(file, nullptr, 0), "read the size of the file");
-  std::string image(static_cast<std::size_t>(size), '\0');
-  hdf5_check(H5Fget_file_image(file, image.data(), image.size()), "read the file");
-  return image;
+  void* place_of_bytes = nullptr;
+  hdf5_check(H5Fget_vfd_handle(file, H5P_DEFAULT, &place_of_bytes), "find the file");
+  return {*static_cast<const char**>(place_of_bytes), static_cast<std::size_t>(size)};
 }
 
 // ---- reading
@@ -200,7 +198,8 @@ Checkpoint read_content(hid_t file) {
 
 void write_checkpoint(const std::string& path, const Checkpoint& checkpoint) {
   const Hdf5Silence silence;
-  const std::string image = file_image(checkpoint);
+  const Hdf5Handle in_memory_file = file_in_memory(checkpoint);
+  const std::string_view image = bytes_of(in_memory_file);
   PartFile file(path);
   file.write(image);
   file.write(checksum_line(image));

@@ -1,87 +1,85 @@
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <cstring>
 #include <sinew/io/vtk_array.hpp>
-#include <stdexcept>
 #include <utility>
-#include <vector>
-#include <zlib.h>
 
 namespace sinew {
 
 namespace {
 
-constexpr std::size_t block_bytes = std::size_t{1} << 18;  // large enough to compress well, small enough for the cache
-constexpr int compression_level = 1;
 constexpr std::string_view alphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 constexpr std::array<std::pair<std::string_view, std::string_view>, 4> entities{
     {{"&amp;", "&"}, {"&lt;", "<"}, {"&gt;", ">"}, {"&quot;", "\""}}};
 
-using Bytes = std::vector<std::byte>;
-
-/// Twelve bits as two characters: half the look-ups of one character at a time.
+/// Twelve bits as two characters: half the look-ups of one character at a time, and still in the innermost cache.
 constexpr auto character_pairs = [] {
   std::array<std::array<char, 2>, 4096> pairs{};
   for (std::size_t i = 0; i < pairs.size(); ++i) pairs[i] = {alphabet[i >> 6], alphabet[i & 63]};
   return pairs;
 }();
 
-/// Computed numbers hardly ever repeat: looking for strings that occurred before takes three times as long and gains nothing.
-int strategy(ArrayContent content) { return content == ArrayContent::computed ? Z_RLE : Z_DEFAULT_STRATEGY; }
+constexpr std::size_t length_of_base64(std::size_t bytes) { return (bytes + 2) / 3 * 4; }
 
-/// Empty if zlib fails.
-Bytes compress_block(std::span<const std::byte> data, ArrayContent content) {
-  constexpr int window_bits = 15, memory_level = 8;  // zlib's own defaults
-  z_stream stream{};
-  if (deflateInit2(&stream, compression_level, Z_DEFLATED, window_bits, memory_level, strategy(content)) != Z_OK) return {};
-  Bytes out(deflateBound(&stream, static_cast<uLong>(data.size())));
-  stream.next_in = reinterpret_cast<Bytef*>(const_cast<std::byte*>(data.data()));  // zlib only reads it
-  stream.avail_in = static_cast<uInt>(data.size());
-  stream.next_out = reinterpret_cast<Bytef*>(out.data());
-  stream.avail_out = static_cast<uInt>(out.size());
-  const int result = deflate(&stream, Z_FINISH);
-  out.resize(result == Z_STREAM_END ? stream.total_out : 0);
-  deflateEnd(&stream);
-  return out;
+/// The upper 12 `pairs` bits of the word as characters.
+template <int pairs>
+void put_characters(char* to, std::uint64_t word) {
+  for (int k = 0; k < pairs; ++k) std::memcpy(to + 2 * k, character_pairs[(word >> (52 - 12 * k)) & 4095].data(), 2);
+}
+
+/// Eight bytes, the first one in the highest bits.
+std::uint64_t big_endian(const std::byte* from) {
+  static_assert(std::endian::native == std::endian::little);  // as the byte_order in the files says
+  std::uint64_t word;
+  std::memcpy(&word, from, sizeof word);
+  return __builtin_bswap64(word);
+}
+
+/// Six bytes become eight characters in one go; up to eight are read, so the last ones go one group of three at a time.
+void encode(std::span<const std::byte> data, char* to) {
+  std::size_t i = 0;
+  for (; i + 8 <= data.size(); i += 6, to += 8) put_characters<4>(to, big_endian(data.data() + i));
+  for (; i < data.size(); i += 3, to += 4) {
+    std::byte group[8] = {};
+    const std::size_t size = std::min<std::size_t>(3, data.size() - i);
+    std::memcpy(group, data.data() + i, size);
+    put_characters<2>(to, big_endian(group));
+    for (std::size_t k = size; k < 3; ++k) to[k + 1] = '=';
+  }
 }
 
 }  // namespace
 
 std::string base64(std::span<const std::byte> data) {
-  std::string text((data.size() + 2) / 3 * 4, '=');
-  const auto put = [](char* to, std::uint32_t word) {
-    std::memcpy(to, character_pairs[word >> 12].data(), 2);
-    std::memcpy(to + 2, character_pairs[word & 4095].data(), 2);
-  };
-  const auto byte = [&data](std::size_t i) { return std::to_integer<std::uint32_t>(data[i]); };
-  const std::size_t rest = data.size() % 3, whole = data.size() - rest;
-  char* to = text.data();
-  for (std::size_t i = 0; i < whole; i += 3, to += 4) put(to, byte(i) << 16 | byte(i + 1) << 8 | byte(i + 2));
-  if (rest > 0) {
-    char last[4];
-    put(last, byte(whole) << 16 | (rest > 1 ? byte(whole + 1) << 8 : 0));
-    std::memcpy(to, last, rest + 1);
-  }
+  std::string text(length_of_base64(data.size()), '=');
+  encode(data, text.data());
   return text;
 }
 
-std::string encode_vtk_array(std::span<const std::byte> data, ArrayContent content) {
-  const std::size_t blocks = (data.size() + block_bytes - 1) / block_bytes;
-  std::vector<Bytes> compressed(blocks);
-  for (std::size_t b = 0; b < blocks; ++b) {
-    const std::size_t begin = b * block_bytes;
-    compressed[b] = compress_block(data.subspan(begin, std::min(block_bytes, data.size() - begin)), content);
+VtkArrayStream::VtkArrayStream(PartFile& file, std::size_t bytes) : file_(file) {
+  const std::uint64_t header = bytes;
+  put(std::as_bytes(std::span(&header, 1)));
+}
+
+void VtkArrayStream::put(std::span<const std::byte> data) {
+  while (!data.empty()) {
+    const std::size_t size = std::min(data.size(), block_.size() - used_);
+    std::memcpy(block_.data() + used_, data.data(), size);
+    used_ += size;
+    data = data.subspan(size);
+    if (used_ == block_.size()) write_block();
   }
-  std::vector<std::uint32_t> header{static_cast<std::uint32_t>(blocks), static_cast<std::uint32_t>(block_bytes),
-                                    static_cast<std::uint32_t>(data.size() % block_bytes)};
-  Bytes body;
-  for (const Bytes& block : compressed) {
-    if (block.empty()) throw std::runtime_error("zlib could not compress a block");
-    header.push_back(static_cast<std::uint32_t>(block.size()));
-    body.insert(body.end(), block.begin(), block.end());
-  }
-  return base64(std::as_bytes(std::span(header))) + base64(body);
+}
+
+void VtkArrayStream::end() { write_block(); }
+
+void VtkArrayStream::write_block() {
+  std::array<char, length_of_base64(std::tuple_size_v<decltype(block_)>)> text;
+  encode(std::span(block_).first(used_), text.data());
+  file_.write({text.data(), length_of_base64(used_)});
+  used_ = 0;
 }
 
 std::string xml_escape(std::string_view text) {

@@ -1,7 +1,10 @@
 #pragma once
 /// Arrays as the XML formats of VTK hold them.
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
+#include <sinew/io/file.hpp>
 #include <span>
 #include <string>
 #include <string_view>
@@ -11,12 +14,32 @@ namespace sinew {
 /// RFC 4648, with padding.
 std::string base64(std::span<const std::byte> data);
 
-/// What compresses an array best: numbers that were computed are noise in their last digits, numbers of particles are not.
-enum class ArrayContent { computed, regular };
+/// The text of a binary inline <DataArray> with header_type UInt64 and no compressor: base64 of the number of bytes and the bytes
+/// in one go. The bytes come piece by piece and go to the file block by block, so no array is ever in memory as a text.
+class VtkArrayStream {
+ public:
+  VtkArrayStream(PartFile& file, std::size_t bytes);
+  void put(std::span<const std::byte> data);
+  void end();  ///< what is left; to be called once, after all bytes
 
-/// The text of a binary inline <DataArray> with vtkZLibDataCompressor and header_type UInt32: base64 of
-/// [blocks, block size, size of a last partial block, compressed size of each block], then base64 of all compressed blocks.
-std::string encode_vtk_array(std::span<const std::byte> data, ArrayContent content = ArrayContent::regular);
+ private:
+  void write_block();
+
+  PartFile& file_;
+  std::array<std::byte, 49152> block_;  // a multiple of three: only the last block needs padding
+  std::size_t used_ = 0;
+};
+
+/// value(0), value(1), ... value(count - 1), each computed when it is written.
+template <class T, class Value>
+void put_values(VtkArrayStream& stream, std::size_t count, const Value& value) {
+  std::array<T, 1024> some;
+  for (std::size_t begin = 0; begin < count; begin += some.size()) {
+    const std::size_t size = std::min(some.size(), count - begin);
+    for (std::size_t k = 0; k < size; ++k) some[k] = static_cast<T>(value(begin + k));
+    stream.put(std::as_bytes(std::span(some).first(size)));
+  }
+}
 
 /// The text with & < > " replaced by entities, and back.
 std::string xml_escape(std::string_view text);

@@ -2,14 +2,13 @@
 #include <charconv>
 #include <cstdint>
 #include <fmt/format.h>
-#include <numeric>
+#include <limits>
 #include <optional>
 #include <sinew/core/error.hpp>
 #include <sinew/io/file.hpp>
 #include <sinew/io/vtk_array.hpp>
 #include <sinew/io/write_vtk.hpp>
 #include <stdexcept>
-#include <type_traits>
 
 namespace sinew {
 
@@ -22,58 +21,73 @@ constexpr std::string_view vtk_type = "";
 template <>
 constexpr std::string_view vtk_type<double> = "Float64";
 template <>
-constexpr std::string_view vtk_type<std::int32_t> = "Int32";
+constexpr std::string_view vtk_type<float> = "Float32";
 template <>
-constexpr std::string_view vtk_type<std::int64_t> = "Int64";
+constexpr std::string_view vtk_type<std::int32_t> = "Int32";
 template <>
 constexpr std::string_view vtk_type<std::uint8_t> = "UInt8";
 
-template <class T>
-void write_array(PartFile& file, std::string_view name, const std::vector<T>& values, int components = 1) {
+/// `count` numbers in the file, which put(stream) brings as bytes.
+template <class T, class Put>
+void write_array(PartFile& file, std::string_view name, std::size_t count, int components, const Put& put) {
   // meshio makes a column of one-component arrays that say so, and a plain array of those that do not.
   const std::string size = components > 1 ? fmt::format(" NumberOfComponents=\"{}\"", components) : "";
   file.write(
       fmt::format("        <DataArray type=\"{}\" Name=\"{}\"{} format=\"binary\">\n", vtk_type<T>, xml_escape(name), size));
-  constexpr ArrayContent content = std::is_floating_point_v<T> ? ArrayContent::computed : ArrayContent::regular;
-  file.write(encode_vtk_array(std::as_bytes(std::span(values)), content));
+  VtkArrayStream stream(file, count * sizeof(T));
+  put(stream);
+  stream.end();
   file.write("\n        </DataArray>\n");
+}
+
+/// An array of value(0), value(1), ...
+template <class T, class Value>
+void write_values(PartFile& file, std::string_view name, std::size_t count, const Value& value) {
+  write_array<T>(file, name, count, 1, [&](VtkArrayStream& stream) { put_values<T>(stream, count, value); });
+}
+
+void write_reals(PartFile& file, std::string_view name, std::span<const double> values, int components, VtkReal real) {
+  if (real == VtkReal::float64)
+    write_array<double>(file, name, values.size(), components,
+                        [&](VtkArrayStream& stream) { stream.put(std::as_bytes(values)); });
+  else
+    write_array<float>(file, name, values.size(), components, [&](VtkArrayStream& stream) {
+      put_values<float>(stream, values.size(), [&](std::size_t i) { return values[i]; });
+    });
 }
 
 void check_sizes(const Snapshot& snapshot) {
   const std::size_t count = snapshot.position.size();
+  if (count > std::numeric_limits<std::int32_t>::max())
+    throw std::invalid_argument("snapshot: more particles than Int32 can number");
   if (snapshot.body.size() != count) throw std::invalid_argument("snapshot: as many bodies as positions are needed");
   for (const FieldData& field : snapshot.fields)
     if (field.values.size() != count * static_cast<std::size_t>(field.components))
       throw std::invalid_argument("snapshot: field " + field.name + " has a wrong number of values");
 }
 
-void write_point_data(PartFile& file, const Snapshot& snapshot) {
-  std::vector<std::int64_t> id(snapshot.position.size());
-  std::iota(id.begin(), id.end(), std::int64_t{0});
+void write_point_data(PartFile& file, const Snapshot& snapshot, VtkReal real) {
+  const std::size_t count = snapshot.position.size();
   file.write("      <PointData>\n");
-  for (const FieldData& field : snapshot.fields) write_array(file, field.name, field.values, field.components);
-  write_array(file, "body", std::vector<std::int32_t>(snapshot.body.begin(), snapshot.body.end()));
-  write_array(file, "particle_id", id);
+  for (const FieldData& field : snapshot.fields) write_reals(file, field.name, field.values, field.components, real);
+  write_values<std::int32_t>(file, "body", count, [&](std::size_t i) { return snapshot.body[i]; });
+  write_values<std::int32_t>(file, "particle_id", count, [](std::size_t i) { return i; });
   file.write("      </PointData>\n");
 }
 
-void write_points(PartFile& file, const Snapshot& snapshot) {
-  std::vector<double> coordinates;
-  coordinates.reserve(3 * snapshot.position.size());
-  for (const Point& x : snapshot.position) coordinates.insert(coordinates.end(), x.c, x.c + 3);
+void write_points(PartFile& file, const std::vector<Point>& position, VtkReal real) {
+  static_assert(sizeof(Point) == 3 * sizeof(double));
+  const double* const first = position.empty() ? nullptr : position.front().c;
   file.write("      <Points>\n");
-  write_array(file, "Points", coordinates, 3);
+  write_reals(file, "Points", {first, 3 * position.size()}, 3, real);
   file.write("      </Points>\n");
 }
 
 void write_cells(PartFile& file, std::size_t count) {
-  std::vector<std::int64_t> index(count);
-  std::iota(index.begin(), index.end(), std::int64_t{0});
   file.write("      <Cells>\n");
-  write_array(file, "connectivity", index);
-  std::iota(index.begin(), index.end(), std::int64_t{1});
-  write_array(file, "offsets", index);
-  write_array(file, "types", std::vector<std::uint8_t>(count, vtk_vertex));
+  write_values<std::int32_t>(file, "connectivity", count, [](std::size_t i) { return i; });
+  write_values<std::int32_t>(file, "offsets", count, [](std::size_t i) { return i + 1; });
+  write_values<std::uint8_t>(file, "types", count, [](std::size_t) { return vtk_vertex; });
   file.write("      </Cells>\n");
 }
 
@@ -89,14 +103,13 @@ std::optional<std::string_view> attribute(std::string_view line, std::string_vie
 
 }  // namespace
 
-void write_vtu(const std::string& path, const Snapshot& snapshot) {
+void write_vtu(const std::string& path, const Snapshot& snapshot, VtkReal real) {
   check_sizes(snapshot);
   const std::size_t count = snapshot.position.size();
   PartFile file(path);
   file.write(
       "<?xml version=\"1.0\"?>\n"
-      "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt32\" "
-      "compressor=\"vtkZLibDataCompressor\">\n"
+      "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n"
       "  <UnstructuredGrid>\n");
   file.write(
       fmt::format("    <FieldData>\n"
@@ -104,8 +117,8 @@ void write_vtu(const std::string& path, const Snapshot& snapshot) {
                   "    </FieldData>\n",
                   snapshot.time));
   file.write(fmt::format("    <Piece NumberOfPoints=\"{0}\" NumberOfCells=\"{0}\">\n", count));
-  write_point_data(file, snapshot);
-  write_points(file, snapshot);
+  write_point_data(file, snapshot, real);
+  write_points(file, snapshot.position, real);
   write_cells(file, count);
   file.write("    </Piece>\n  </UnstructuredGrid>\n</VTKFile>\n");
   file.commit();

@@ -174,6 +174,7 @@ struct OutputCase {
   double history_every = 0.0;     ///< 0: every step, in large cases one in particles / 20 000; up to 10 000 rows
   double checkpoint_every = 0.0;  ///< 0: only at the end or when interrupted
   std::vector<std::string> fields{"displacement", "velocity", "von_mises_stress", "pressure"};
+  std::string precision = "double";  ///< of points and fields in the particle files: double | single
   std::string picture_field = "displacement";
   std::string picture;  ///< file name of the final picture inside the run folder; empty: none
 
@@ -184,6 +185,9 @@ struct OutputCase {
           non_negative, optional);
     field("checkpoint_every", m.checkpoint_every, "s", "Time between checkpoints; 0: only at the end.", non_negative, optional);
     field("fields", m.fields, no_unit, "What the particle files hold.", optional, OneOf{field_names()});
+    field("precision", m.precision, no_unit,
+          "Of points and fields in the particle files; single: rounded to 7 digits, little more than half the size.", optional,
+          OneOf{{"double", "single"}});
     field("picture_field", m.picture_field, no_unit, "Which field colors the picture.", optional, OneOf{field_names()});
     field("picture", m.picture, no_unit, "File name (.png) of a picture of the last state, in the run folder.", optional);
   }

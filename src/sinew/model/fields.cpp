@@ -1,100 +1,149 @@
 #include <sinew/model/fields.hpp>
 
-#include <cmath>
+#include <algorithm>
+#include <array>
 #include <map>
 #include <set>
 #include <stdexcept>
+#include <utility>
 
 namespace sinew {
 
 namespace {
 
-Mat3<double> matrix_at(const AlignedArray<double>& values, int slot) {
-  Mat3<double> m;
-  for (int k = 0; k < 9; ++k) m[k / 3][k % 3] = values[9 * std::size_t(slot) + k];
+/// Up to eight particles, one a lane; lanes that are left repeat the last one.
+struct Eight {
+  int count;
+  int slot[lanes];
+
+  explicit Eight(std::span<const int> slots) : count(static_cast<int>(std::min<std::size_t>(slots.size(), lanes))) {
+    for (int k = 0; k < lanes; ++k) slot[k] = slots[std::min(k, count - 1)];
+  }
+  Pack of(const double* values) const { return Pack::gather(values, slot); }
+  template <int D>
+  Vec<Pack, D> of(const VectorField<D>& field) const {
+    Vec<Pack, D> v;
+    for (int c = 0; c < D; ++c) v[c] = of(field.component(c));
+    return v;
+  }
+  /// value(slot) of each.
+  template <class Value>
+  Pack each(const Value& value) const {
+    Pack p;
+    for (int k = 0; k < lanes; ++k) p.set(k, value(slot[k]));
+    return p;
+  }
+};
+
+SINEW_INLINE Mat3<Pack> matrices_at(const AlignedArray<double>& values, const Eight& at) {
+  alignas(64) double lane[9][lanes];
+  for (int k = 0; k < lanes; ++k)
+    for (int c = 0; c < 9; ++c) lane[c][k] = values[9 * std::size_t(at.slot[k]) + c];
+  Mat3<Pack> m;
+  for (int c = 0; c < 9; ++c) m[c / 3][c % 3] = Pack::load(lane[c]);
   return m;
 }
 
-Components scalar(double value) { return {{value}, 1}; }
+/// A tensor of which files hold six components.
+struct Symmetric {
+  Mat3<Pack> m;
+};
 
-Components flat(const Mat3<double>& m) {
-  Components tensor{{}, 9};
-  for (int k = 0; k < 9; ++k) tensor.value[k] = m[k / 3][k % 3];
-  return tensor;
+// The components of a value, as they follow each other in files.
+std::array<Pack, 1> components(Pack p) { return {p}; }
+std::array<Pack, 3> components(const Vec<Pack, 2>& v) { return {v[0], v[1], Pack(0.0)}; }
+std::array<Pack, 3> components(const Vec<Pack, 3>& v) { return {v[0], v[1], v[2]}; }
+std::array<Pack, 6> components(const Symmetric& s) { return {s.m[0][0], s.m[1][1], s.m[2][2], s.m[0][1], s.m[1][2], s.m[0][2]}; }
+std::array<Pack, 9> components(const Mat3<Pack>& m) {
+  return {m[0][0], m[0][1], m[0][2], m[1][0], m[1][1], m[1][2], m[2][0], m[2][1], m[2][2]};
 }
 
-/// A vector as three components.
-template <int D>
-Components from_vector(const Vec<double, D>& v, double factor = 1.0) {
-  Components vector{{}, 3};
-  for (int c = 0; c < D; ++c) vector.value[c] = factor * v[c];
-  return vector;
+/// Lane k to the k-th row, or to row rows[k].
+template <std::size_t N>
+SINEW_INLINE void put(const std::array<Pack, N>& parts, int count, const int* rows, double* out) {
+  alignas(64) double lane[N][lanes];
+  for (std::size_t c = 0; c < N; ++c) parts[c].store(lane[c]);
+  for (int k = 0; k < count; ++k)
+    for (std::size_t c = 0; c < N; ++c) out[N * (rows ? rows[k] : k) + c] = lane[c][k];
+}
+
+/// From the values of eight particles, at(source, eight), to a loop over many in which it is inlined.
+template <int D, class At>
+ParticleQuantity<D> quantity(At) {
+  using Parts = decltype(components(At{}(std::declval<const QuantitySource<D>&>(), std::declval<const Eight&>())));
+  constexpr std::size_t count = std::tuple_size_v<Parts>;
+  return {count, [](const QuantitySource<D>& source, std::span<const int> slots, std::span<const int> rows, double* out) {
+            for (std::size_t begin = 0; begin < slots.size(); begin += lanes) {
+              const Eight some(slots.subspan(begin));
+              const auto parts = components(At{}(source, some));
+              if (rows.empty())
+                put(parts, some.count, nullptr, out + count * begin);
+              else
+                put(parts, some.count, rows.data() + begin, out);
+            }
+          }};
 }
 
 /// sigma = P F^T / J.
-Mat3<double> cauchy_stress(const Mat3<double>& F, const Mat3<double>& P) { return (1.0 / determinant(F)) * (P * transpose(F)); }
+SINEW_INLINE Mat3<Pack> cauchy_stress(const Mat3<Pack>& F, const Mat3<Pack>& P) {
+  return (1.0 / determinant(F)) * (P * transpose(F));
+}
+
+/// E = (F^T F - I) / 2.
+Mat3<Pack> green_lagrange(const Mat3<Pack>& F) { return 0.5 * (transpose(F) * F - Mat3<Pack>::identity()); }
 
 /// sqrt(3/2 s:s), s the deviator.
-double von_mises(Mat3<double> s) {
-  const double mean = trace(s) / 3.0;
+SINEW_INLINE Pack von_mises(Mat3<Pack> s) {
+  const Pack mean = trace(s) / 3.0;
   for (int i = 0; i < 3; ++i) s[i][i] -= mean;
-  return std::sqrt(1.5 * double_dot(s, s));
+  return sqrt(1.5 * double_dot(s, s));
 }
 
 template <int D>
-Mat3<double> gradient_at(const QuantitySource<D>& from, int slot) {
-  return matrix_at(from.record->deformation_gradient, slot);
+Mat3<Pack> gradient_at(const QuantitySource<D>& from, const Eight& at) {
+  return matrices_at(from.record->deformation_gradient, at);
 }
 
 template <int D>
-Mat3<double> first_stress_at(const QuantitySource<D>& from, int slot) {
-  return matrix_at(from.record->stress, slot);
+Mat3<Pack> first_stress_at(const QuantitySource<D>& from, const Eight& at) {
+  return matrices_at(from.record->stress, at);
 }
 
 template <int D>
-Mat3<double> cauchy_at(const QuantitySource<D>& from, int slot) {
-  return cauchy_stress(gradient_at(from, slot), first_stress_at(from, slot));
+SINEW_INLINE Mat3<Pack> cauchy_at(const QuantitySource<D>& from, const Eight& at) {
+  return cauchy_stress(gradient_at(from, at), first_stress_at(from, at));
 }
 
+/// rho = rho_0 / J.
 template <int D>
-Components strain_at(const QuantitySource<D>& from, int slot) {
-  const Mat3<double> F = gradient_at(from, slot);
-  return flat(0.5 * (transpose(F) * F - Mat3<double>::identity()));
-}
-
-template <int D>
-Components density_at(const QuantitySource<D>& from, int slot) {
-  return scalar(from.particles.bodies[from.particles.body_of(slot)].density / determinant(gradient_at(from, slot)));
-}
-
-template <int D>
-Components position_at(const QuantitySource<D>& from, int slot) {
-  const Point x = from.particles.current(slot);
-  return {{x[0], x[1], x[2]}, 3};
+Pack density_at(const QuantitySource<D>& from, const Eight& at) {
+  const Particles<D>& p = from.particles;
+  return at.each([&](int slot) { return p.bodies[p.body_of(slot)].density; }) / determinant(gradient_at(from, at));
 }
 
 template <int D>
 const std::map<std::string_view, ParticleQuantity<D>>& quantities() {
-  using Source = const QuantitySource<D>&;
+  using S = const QuantitySource<D>&;
+  using At = const Eight&;
   static const std::map<std::string_view, ParticleQuantity<D>> list{
-      {"displacement", [](Source s, int i) { return from_vector(s.particles.displacement[i]); }},
-      {"velocity", [](Source s, int i) { return from_vector(s.particles.velocity[i]); }},
-      {"acceleration", [](Source s, int i) { return from_vector(s.particles.acceleration[i]); }},
-      {"force", [](Source s, int i) { return from_vector(s.particles.acceleration[i], s.particles.mass[i]); }},
-      {"position", position_at<D>},
-      {"volume", [](Source s, int i) { return scalar(s.particles.volume[i] * s.solid.options().thickness); }},
-      {"neighbors", [](Source s, int i) { return scalar(static_cast<double>(s.solid.pairs().neighbor_count[i])); }},
-      {"deformation_gradient", [](Source s, int i) { return flat(gradient_at(s, i)); }},
-      {"first_piola_kirchhoff_stress", [](Source s, int i) { return flat(first_stress_at(s, i)); }},
-      {"green_lagrange_strain", strain_at<D>},
-      {"cauchy_stress", [](Source s, int i) { return flat(cauchy_at(s, i)); }},
-      {"von_mises_stress", [](Source s, int i) { return scalar(von_mises(cauchy_at(s, i))); }},
-      {"pressure", [](Source s, int i) { return scalar(-trace(cauchy_at(s, i)) / 3.0); }},
-      {"jacobian", [](Source s, int i) { return scalar(determinant(gradient_at(s, i))); }},
-      {"density", density_at<D>},
-      {"strain_energy_density", [](Source s, int i) { return scalar(s.record->energy_density[i]); }},
-      {"hourglass_error", [](Source s, int i) { return scalar(s.record->hourglass_error[i]); }},
-      {"thickness_stretch", [](Source s, int i) { return scalar(gradient_at(s, i)[2][2]); }},
+      {"displacement", quantity<D>([](S s, At i) { return i.of(s.particles.displacement); })},
+      {"velocity", quantity<D>([](S s, At i) { return i.of(s.particles.velocity); })},
+      {"acceleration", quantity<D>([](S s, At i) { return i.of(s.particles.acceleration); })},
+      {"force", quantity<D>([](S s, At i) { return i.of(s.particles.mass.data()) * i.of(s.particles.acceleration); })},
+      {"position", quantity<D>([](S s, At i) { return i.of(s.particles.position) + i.of(s.particles.displacement); })},
+      {"volume", quantity<D>([](S s, At i) { return i.of(s.particles.volume.data()) * s.solid.options().thickness; })},
+      {"neighbors", quantity<D>([](S s, At i) { return i.each([&](int k) { return s.solid.pairs().neighbor_count[k]; }); })},
+      {"deformation_gradient", quantity<D>([](S s, At i) { return gradient_at(s, i); })},
+      {"first_piola_kirchhoff_stress", quantity<D>([](S s, At i) { return first_stress_at(s, i); })},
+      {"green_lagrange_strain", quantity<D>([](S s, At i) { return Symmetric{green_lagrange(gradient_at(s, i))}; })},
+      {"cauchy_stress", quantity<D>([](S s, At i) { return Symmetric{cauchy_at(s, i)}; })},
+      {"von_mises_stress", quantity<D>([](S s, At i) { return von_mises(cauchy_at(s, i)); })},
+      {"pressure", quantity<D>([](S s, At i) { return -trace(cauchy_at(s, i)) / 3.0; })},
+      {"jacobian", quantity<D>([](S s, At i) { return determinant(gradient_at(s, i)); })},
+      {"density", quantity<D>([](S s, At i) { return density_at(s, i); })},
+      {"strain_energy_density", quantity<D>([](S s, At i) { return i.of(s.record->energy_density.data()); })},
+      {"hourglass_error", quantity<D>([](S s, At i) { return i.of(s.record->hourglass_error.data()); })},
+      {"thickness_stretch", quantity<D>([](S s, At i) { return gradient_at(s, i)[2][2]; })},
   };
   return list;
 }
@@ -119,6 +168,11 @@ int component_index(const QuantityInfo& quantity, std::string_view component) {
   if (component.empty() || component == "magnitude") return -1;
   if (component.size() == 1) return axis(component[0]);
   return 3 * axis(component[0]) + axis(component[1]);
+}
+
+int stored_index(int component_index, int components) {
+  constexpr int of_six[9] = {0, 3, 5, 3, 1, 4, 5, 4, 2};
+  return components == 6 ? of_six[component_index] : component_index;
 }
 
 template ParticleQuantity<2> particle_quantity<2>(std::string_view);

@@ -1,18 +1,13 @@
 #pragma once
-/// The quantities of single particles, computed when somebody asks.
+/// The quantities of particles, computed when somebody asks.
 
 #include <sinew/formulations/total_lagrangian.hpp>
 #include <sinew/model/field_names.hpp>
 #include <sinew/particles/snapshot.hpp>
+#include <span>
 #include <string_view>
 
 namespace sinew {
-
-/// The values of a quantity of one particle: 1, 3 (vector) or 9 (tensor, row-major).
-struct Components {
-  double value[9] = {};
-  int count = 1;
-};
 
 /// True for quantities that follow from F or P, which a sweep has to record first.
 bool needs_record(std::string_view quantity);
@@ -25,15 +20,23 @@ struct QuantitySource {
   const RecordedState* record;
 };
 
-/// A quantity of the particle in a slot.
 template <int D>
-using ParticleQuantity = Components (*)(const QuantitySource<D>& source, int slot);
+struct ParticleQuantity {
+  static constexpr int most_components = 9;
+
+  int components;  ///< as in FieldData: 1, 3, 6 (symmetric tensor) or 9
+  /// The values of the particle in slots[k] go to the row rows[k] of `out`; without rows one after the other.
+  void (*values)(const QuantitySource<D>& source, std::span<const int> slots, std::span<const int> rows, double* out);
+};
 
 /// The quantity of that name, to be found once and applied to many particles. Throws std::logic_error for a name that is none.
 template <int D>
 ParticleQuantity<D> particle_quantity(std::string_view name);
 
-/// Which of the values of a quantity a component name means: xx -> 0, xy -> 1, ... of a tensor, x y z of a vector; -1: magnitude.
+/// Which of three, or of nine components row by row, a name means: xx -> 0, xy -> 1, ... of a tensor, x y z of a vector; -1: magnitude.
 int component_index(const QuantityInfo& quantity, std::string_view component);
+
+/// The same for values of which there may be only six: XX YY ZZ XY YZ XZ of a symmetric tensor.
+int stored_index(int component_index, int components);
 
 }  // namespace sinew

@@ -1,7 +1,9 @@
 #include <sinew/model/probes.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
 
 namespace sinew {
 
@@ -10,10 +12,11 @@ namespace {
 /// Component of a vector total; -1: magnitude.
 double component_of(const Point& v, int component) { return component < 0 ? norm(v) : v[component]; }
 
-double component_of(const Components& q, int component) {
-  if (component >= 0) return q.value[component];
+/// Component of a quantity that has so many of them in a row; -1: magnitude.
+double component_of(const double* values, int components, int component) {
+  if (component >= 0) return values[stored_index(component, components)];
   double square = 0.0;
-  for (int k = 0; k < q.count; ++k) square += q.value[k] * q.value[k];
+  for (int k = 0; k < components; ++k) square += values[k] * values[k];
   return std::sqrt(square);
 }
 
@@ -51,12 +54,18 @@ template <int D>
 double Probes<D>::over_particles(const Probe& probe, const ProbedState<D>& state) const {
   const ParticleQuantity<D> quantity = particle_quantity<D>(probe.c.quantity);
   const QuantitySource<D> source{state.particles, state.solid, state.record};
+  constexpr std::size_t block = 128;
+  std::array<double, block * ParticleQuantity<D>::most_components> values;
   double sum = 0.0, least = infinity, most = -infinity;
-  for (int slot : probe.slots) {
-    const double value = component_of(quantity(source, slot), probe.component);
-    sum += value;
-    least = std::min(least, value);
-    most = std::max(most, value);
+  for (std::size_t begin = 0; begin < probe.slots.size(); begin += block) {
+    const std::span some = std::span(probe.slots).subspan(begin, std::min(block, probe.slots.size() - begin));
+    quantity.values(source, some, {}, values.data());
+    for (std::size_t k = 0; k < some.size(); ++k) {
+      const double value = component_of(values.data() + k * quantity.components, quantity.components, probe.component);
+      sum += value;
+      least = std::min(least, value);
+      most = std::max(most, value);
+    }
   }
   if (probe.c.reduce == "sum") return sum;
   if (probe.c.reduce == "min") return least;

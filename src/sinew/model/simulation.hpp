@@ -78,7 +78,14 @@ class Simulation {
   virtual Momenta momenta() = 0;
   virtual std::vector<double> probe_values() = 0;  ///< of Case::probes, in order
   virtual std::vector<std::string> probe_units() const = 0;
-  virtual Snapshot snapshot(const std::vector<std::string>& fields) = 0;
+  /// Into an empty snapshot, or one that this simulation filled before: its memory is used again, and what never changes (size, body,
+  /// names, units) is kept.
+  virtual void fill_snapshot(const std::vector<std::string>& fields, Snapshot& snapshot) = 0;
+  Snapshot snapshot(const std::vector<std::string>& fields) {
+    Snapshot s;
+    fill_snapshot(fields, s);
+    return s;
+  }
 
   virtual std::string state_hash() const = 0;  ///< of positions and velocities, in the user's order
   virtual SavedState save() const = 0;

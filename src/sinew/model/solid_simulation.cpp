@@ -1,5 +1,4 @@
 #include <sinew/model/solid_simulation.hpp>
-#include <sinew/model/totals.hpp>
 #include <sinew/time/velocity_verlet.hpp>
 
 #include <fmt/format.h>
@@ -127,18 +126,20 @@ void SolidSimulation<D>::count_dissipation(double dt) {
 template <int D>
 Energies SolidSimulation<D>::energies() {
   Energies e;
-  e.kinetic = kinetic_energy(particles_);
+  e.kinetic = totals().kinetic;
   e.strain = summary_.strain_energy;
   e.hourglass = summary_.hourglass_energy;
-  e.external_work = motion_.work() + loads_.work() + gravity_work(gravity_, particles_) - initial_gravity_work_;
+  e.external_work = motion_.work() + loads_.work() + totals().gravity_work - initial_gravity_work_;
   e.dissipated = dissipated_;
   e.initial = initial_energy_;
   return e;
 }
 
 template <int D>
-Momenta SolidSimulation<D>::momenta() {
-  return momenta_of(particles_);
+const Totals& SolidSimulation<D>::totals() {
+  if (totals_step_ != steps_) totals_ = totals_of(particles_, gravity_);
+  totals_step_ = steps_;
+  return totals_;
 }
 
 template <int D>

@@ -6,6 +6,7 @@
 #include <sinew/model/probes.hpp>
 #include <sinew/model/regions.hpp>
 #include <sinew/model/simulation.hpp>
+#include <sinew/model/totals.hpp>
 #include <sinew/time/step_size.hpp>
 
 namespace sinew {
@@ -22,10 +23,10 @@ class SolidSimulation final : public Simulation {
   void step(double most) override;
 
   Energies energies() override;
-  Momenta momenta() override;
+  Momenta momenta() override { return totals().momenta; }
   std::vector<double> probe_values() override;
   std::vector<std::string> probe_units() const override { return probes_.units(); }
-  Snapshot snapshot(const std::vector<std::string>& fields) override;
+  void fill_snapshot(const std::vector<std::string>& fields, Snapshot& snapshot) override;
 
   std::string state_hash() const override;
   SavedState save() const override;
@@ -40,7 +41,8 @@ class SolidSimulation final : public Simulation {
   void check_state();
   [[noreturn]] void fail(const std::string& cause);
   const RecordedState& record();
-  FieldData field(const std::string& name);
+  const Totals& totals();
+  void describe(Snapshot& snapshot) const;
   void collect_facts(const std::vector<GeneratedBody>& bodies, double setup_seconds);
 
   Case case_;
@@ -63,7 +65,8 @@ class SolidSimulation final : public Simulation {
   double dissipated_ = 0.0, dissipation_rate_ = 0.0;
   double initial_energy_ = 0.0, initial_gravity_work_ = 0.0;
   std::unique_ptr<RecordedState> record_;
-  long recorded_step_ = -1;
+  Totals totals_;
+  long recorded_step_ = -1, totals_step_ = -1;  ///< of which state they are
 };
 
 }  // namespace sinew

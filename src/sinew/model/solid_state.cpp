@@ -5,24 +5,22 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
+#include <span>
 
 namespace sinew {
 
 namespace {
 
-/// Row-major 9 -> XX YY ZZ XY YZ XZ.
-constexpr int symmetric_order[6] = {0, 4, 8, 1, 5, 2};
-
-bool is_symmetric(const std::string& field) { return field == "green_lagrange_strain" || field == "cauchy_stress"; }
-
 template <int D>
-std::vector<double> in_users_order(const VectorField<D>& field, const std::vector<int>& slots) {
-  std::vector<double> out;
-  out.reserve(slots.size() * D);
-  for (int slot : slots)
-    for (int c = 0; c < D; ++c) out.push_back(field.at(c, slot));
+std::vector<double> in_users_order(const VectorField<D>& field, const Particles<D>& particles) {
+  std::vector<double> out(particles.slot_of.size() * D);
+  for (int slot = 0; slot < particles.slots; ++slot)  // in computing order, as in fill
+    if (const int i = particles.user_index[slot]; i >= 0)
+      for (int c = 0; c < D; ++c) out[std::size_t(i) * D + c] = field.at(c, slot);
   return out;
 }
 
@@ -31,6 +29,29 @@ void from_users_order(const std::vector<double>& in, const std::vector<int>& slo
   std::size_t k = 0;
   for (int slot : slots)
     for (int c = 0; c < D; ++c) field.at(c, slot) = in.at(k++);
+}
+
+/// A quantity of all particles, and where it goes.
+template <int D>
+struct Output {
+  ParticleQuantity<D> quantity;
+  double* values;
+};
+
+/// Block by block, so that what one quantity has read (F, P) is in the cache for the next; in computing order, since more is read than written.
+template <int D>
+void fill(const std::vector<Output<D>>& outputs, const QuantitySource<D>& source) {
+  constexpr int block = 256;
+  const std::vector<int>& user_index = source.particles.user_index;
+  const int end = source.particles.slots;
+#pragma omp parallel for schedule(static) if (source.particles.count >= fewest_for_threads)
+  for (int begin = 0; begin < end; begin += block) {
+    std::array<int, block> slots, rows;
+    std::size_t count = 0;
+    for (int slot = begin; slot < std::min(begin + block, end); ++slot)
+      if (user_index[slot] >= 0) slots[count] = slot, rows[count++] = user_index[slot];
+    for (const Output<D>& out : outputs) out.quantity.values(source, {slots.data(), count}, {rows.data(), count}, out.values);
+  }
 }
 
 /// What a failed run may try about its zero-energy modes.
@@ -43,48 +64,38 @@ std::string hourglass_advice(const std::optional<HourglassStiffness>& hourglass)
 
 }  // namespace
 
+/// What never changes while a simulation runs.
 template <int D>
-FieldData SolidSimulation<D>::field(const std::string& name) {
-  const RecordedState* state = needs_record(name) ? &record() : nullptr;
-  const QuantityInfo& info = *find_quantity(name);
-  FieldData data{name, case_.general.units.name_of(info.unit), 1, {}};
-  const ParticleQuantity<D> quantity = particle_quantity<D>(name);
-  const QuantitySource<D> source{particles_, solid_, state};
-  const bool symmetric = is_symmetric(name);
-  const int count = static_cast<int>(particles_.slot_of.size());
-  data.components = symmetric ? 6 : quantity(source, particles_.slot_of.front()).count;
-  data.values.resize(std::size_t(count) * data.components);
-#pragma omp parallel for schedule(static) if (count >= fewest_for_threads)
-  for (int i = 0; i < count; ++i) {
-    const Components q = quantity(source, particles_.slot_of[i]);
-    double* const out = data.values.data() + std::size_t(i) * data.components;
-    for (int c = 0; c < data.components; ++c) out[c] = q.value[symmetric ? symmetric_order[c] : c];
-  }
-  return data;
-}
-
-template <int D>
-Snapshot SolidSimulation<D>::snapshot(const std::vector<std::string>& fields) {
-  Snapshot s;
-  s.time = time_;
-  s.step = steps_;
+void SolidSimulation<D>::describe(Snapshot& s) const {
   s.dimension = D;
   s.length_unit = case_.general.units.name_of("m");
   s.time_unit = case_.general.units.name_of("s");
   for (const BodyRange& body : particles_.bodies) s.body_names.push_back(body.name);
-  const int count = static_cast<int>(particles_.slot_of.size());
-  s.position.resize(count);
-  s.size.resize(count);
-  s.body.resize(count);
-#pragma omp parallel for schedule(static) if (count >= fewest_for_threads)
-  for (int i = 0; i < count; ++i) {
-    const int slot = particles_.slot_of[i];
-    s.position[i] = particles_.current(slot);
-    s.size[i] = std::pow(particles_.volume[slot], 1.0 / D);
-    s.body[i] = particles_.body_of(slot);
+  for (int slot : particles_.slot_of) {
+    s.size.push_back(std::pow(particles_.volume[slot], 1.0 / D));
+    s.body.push_back(particles_.body_of(slot));
   }
-  for (const std::string& name : fields) s.fields.push_back(field(name));
-  return s;
+}
+
+template <int D>
+void SolidSimulation<D>::fill_snapshot(const std::vector<std::string>& fields, Snapshot& s) {
+  const std::size_t count = particles_.slot_of.size();
+  if (s.body.empty()) describe(s);
+  s.time = time_;
+  s.step = steps_;
+  s.position.resize(count);
+  s.fields.resize(fields.size());
+  std::vector<Output<D>> outputs{{particle_quantity<D>("position"), s.position.front().c}};
+  for (std::size_t f = 0; f < fields.size(); ++f) {
+    const ParticleQuantity<D> quantity = particle_quantity<D>(fields[f]);
+    s.fields[f].name = fields[f];
+    s.fields[f].unit = case_.general.units.name_of(find_quantity(fields[f])->unit);
+    s.fields[f].components = quantity.components;
+    s.fields[f].values.resize(count * quantity.components);
+    outputs.push_back({quantity, s.fields[f].values.data()});
+  }
+  const bool recorded = std::any_of(fields.begin(), fields.end(), [](const std::string& name) { return needs_record(name); });
+  fill(outputs, {particles_, solid_, recorded ? &record() : nullptr});
 }
 
 /// FNV-1a of the bits of x and v, in the user's order.
@@ -106,10 +117,10 @@ std::string SolidSimulation<D>::state_hash() const {
 template <int D>
 SavedState SolidSimulation<D>::save() const {
   SavedState s{time_, steps_, {}, {}};
-  s.arrays["displacement"] = in_users_order(particles_.displacement, particles_.slot_of);
-  s.arrays["reference_position"] = in_users_order(particles_.position, particles_.slot_of);
-  s.arrays["velocity"] = in_users_order(particles_.velocity, particles_.slot_of);
-  s.arrays["acceleration"] = in_users_order(particles_.acceleration, particles_.slot_of);
+  s.arrays["displacement"] = in_users_order(particles_.displacement, particles_);
+  s.arrays["reference_position"] = in_users_order(particles_.position, particles_);
+  s.arrays["velocity"] = in_users_order(particles_.velocity, particles_);
+  s.arrays["acceleration"] = in_users_order(particles_.acceleration, particles_);
   s.arrays["reactions"] = motion_.reactions();
   s.arrays["loads"] = loads_.forces();
   s.numbers = {{"reaction_work", motion_.work()},
@@ -128,7 +139,7 @@ SavedState SolidSimulation<D>::save() const {
 
 template <int D>
 void SolidSimulation<D>::restore(const SavedState& s) {
-  if (in_users_order(particles_.position, particles_.slot_of) != s.arrays.at("reference_position"))
+  if (in_users_order(particles_.position, particles_) != s.arrays.at("reference_position"))
     throw CaseError("the checkpoint belongs to other particles than the case makes now. Resume with the case that wrote it.");
   from_users_order(s.arrays.at("displacement"), particles_.slot_of, particles_.displacement);
   from_users_order(s.arrays.at("velocity"), particles_.slot_of, particles_.velocity);
@@ -144,7 +155,7 @@ void SolidSimulation<D>::restore(const SavedState& s) {
   first_time_step_ = s.numbers.at("first_time_step");
   summary_ = {s.numbers.at("strain_energy"), s.numbers.at("hourglass_energy"), s.numbers.at("smallest_jacobian"),
               s.numbers.at("largest_rate2")};
-  recorded_step_ = -1;
+  recorded_step_ = totals_step_ = -1;
 }
 
 /// Stops a run whose numbers have lost their meaning, at the step in which it happens.
@@ -159,16 +170,16 @@ template <int D>
 void SolidSimulation<D>::fail(const std::string& cause) {
   recorded_step_ = -1;
   const RecordedState& state = record();
-  int worst = particles_.slot_of.front();
+  std::vector<double> jacobian(particles_.slot_of.size());
+  particle_quantity<D>("jacobian").values({particles_, solid_, &state}, particles_.slot_of, {}, jacobian.data());
+  std::size_t worst_number = 0;
   double least = infinity;
-  const ParticleQuantity<D> jacobian = particle_quantity<D>("jacobian");
-  const QuantitySource<D> source{particles_, solid_, &state};
-  for (int slot : particles_.slot_of) {
-    const Components J = jacobian(source, slot);
-    const bool finite = std::isfinite(J.value[0]) && std::isfinite(state.energy_density[slot]);
-    const double measure = finite ? J.value[0] : -infinity;
-    if (measure < least) least = measure, worst = slot;
+  for (std::size_t i = 0; i < jacobian.size(); ++i) {
+    const bool finite = std::isfinite(jacobian[i]) && std::isfinite(state.energy_density[particles_.slot_of[i]]);
+    const double measure = finite ? jacobian[i] : -infinity;
+    if (measure < least) least = measure, worst_number = i;
   }
+  const int worst = particles_.slot_of[worst_number];
   const Point x = particles_.current(worst);
   const BodyRange& body = particles_.bodies[particles_.body_of(worst)];
   throw SimulationError(
@@ -176,13 +187,11 @@ void SolidSimulation<D>::fail(const std::string& cause) {
                   "{:.3g}). Likely causes: a load "
                   "or velocity that the particles cannot resolve, too large a time step (try [solver] cfl = {:.2g}), or {}.",
                   time_, case_.general.units.name_of("s"), steps_, particles_.user_index[worst], body.name, x[0], x[1], x[2],
-                  cause, jacobian(source, worst).value[0], 0.5 * case_.solver.cfl, hourglass_advice(solid_.options().hourglass)));
+                  cause, jacobian[worst_number], 0.5 * case_.solver.cfl, hourglass_advice(solid_.options().hourglass)));
 }
 
-template FieldData SolidSimulation<2>::field(const std::string&);
-template FieldData SolidSimulation<3>::field(const std::string&);
-template Snapshot SolidSimulation<2>::snapshot(const std::vector<std::string>&);
-template Snapshot SolidSimulation<3>::snapshot(const std::vector<std::string>&);
+template void SolidSimulation<2>::fill_snapshot(const std::vector<std::string>&, Snapshot&);
+template void SolidSimulation<3>::fill_snapshot(const std::vector<std::string>&, Snapshot&);
 template std::string SolidSimulation<2>::state_hash() const;
 template std::string SolidSimulation<3>::state_hash() const;
 template SavedState SolidSimulation<2>::save() const;

@@ -26,35 +26,47 @@ double kinetic_energy(const Particles<D>& particles) {
 template <int D>
 double gravity_work(const Vec<double, D>& gravity, const Particles<D>& particles) {
   if (dot(gravity, gravity) == 0.0) return 0.0;
-  double sum = 0.0;
-  for (int slot = 0; slot < particles.slots; ++slot)
-    for (int c = 0; c < D; ++c) sum += particles.mass[slot] * gravity[c] * particles.displacement.at(c, slot);
-  return sum;
+  Pack work;
+  for (int slot = 0; slot < particles.slots; slot += lanes) {
+    Pack along;
+    for (int c = 0; c < D; ++c) along += gravity[c] * Pack::load(particles.displacement.component(c) + slot);
+    work += Pack::load(particles.mass.data() + slot) * along;
+  }
+  return sum(work);
 }
 
-/// Momenta: sums of m v, of x cross m v about the origin, and of |m v|.
+/// What follows from the places and velocities of the particles alone.
+struct Totals {
+  double kinetic = 0.0;  ///< sum m v^2 / 2 [energy]
+  Momenta momenta;
+  double gravity_work = 0.0;
+};
+
+/// Kinetic energy; momenta: sums of m v, of x cross m v about the origin, and of |m v|. All in one pass, since it is limited by memory.
 template <int D>
-Momenta momenta_of(const Particles<D>& particles) {
+Totals totals_of(const Particles<D>& particles, const Vec<double, D>& gravity) {
   Vec<Pack, 3> linear, angular;
-  Pack scale;
+  Pack scale, twice;
   for (int slot = 0; slot < particles.slots; slot += lanes) {
     const Pack mass = Pack::load(particles.mass.data() + slot);
-    Vec<Pack, 3> x, p;
+    Vec<Pack, 3> x, v;
     for (int c = 0; c < D; ++c) {
       x[c] = Pack::load(particles.position.component(c) + slot) + Pack::load(particles.displacement.component(c) + slot);
-      p[c] = mass * Pack::load(particles.velocity.component(c) + slot);
+      v[c] = Pack::load(particles.velocity.component(c) + slot);
     }
-    for (int c = 0; c < 3; ++c) {
-      const int next = (c + 1) % 3, after = (c + 2) % 3;
-      linear[c] += p[c];
-      angular[c] += x[next] * p[after] - x[after] * p[next];
-    }
-    scale += sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
+    const Vec<Pack, 3> p = mass * v;
+    const Pack square = dot(v, v);
+    linear += p;
+    angular += cross(x, p);
+    scale += mass * sqrt(square);
+    twice += mass * square;
   }
-  Momenta m;
-  for (int c = 0; c < 3; ++c) m.linear[c] = sum(linear[c]), m.angular[c] = sum(angular[c]);
-  m.linear_scale = sum(scale);
-  return m;
+  Totals t;
+  for (int c = 0; c < 3; ++c) t.momenta.linear[c] = sum(linear[c]), t.momenta.angular[c] = sum(angular[c]);
+  t.momenta.linear_scale = sum(scale);
+  t.kinetic = 0.5 * sum(twice);
+  t.gravity_work = gravity_work(gravity, particles);
+  return t;
 }
 
 }  // namespace sinew

@@ -39,6 +39,17 @@ TEST_F(FrameWriterTest, DrainedFramesAreOnDiskInOrder) {
   }
 }
 
+TEST_F(FrameWriterTest, SpentFramesComeBackWithTheirMemory) {
+  FrameWriter writer(folder, PvdSeries(folder.series()));
+  EXPECT_TRUE(writer.spent().position.empty());
+  Snapshot first = at_time(0.0);
+  const Point* const memory = first.position.data();
+  writer.write(std::move(first));
+  writer.drain();
+  EXPECT_EQ(writer.spent().position.data(), memory);
+  EXPECT_TRUE(writer.spent().position.empty());
+}
+
 TEST_F(FrameWriterTest, TheEndWaitsForAllFrames) {
   {
     FrameWriter writer(folder, PvdSeries(folder.series()));

@@ -22,7 +22,7 @@ class FakeSimulation final : public Simulation {
   Momenta momenta() override { return {}; }
   std::vector<double> probe_values() override { return {time() * time()}; }
   std::vector<std::string> probe_units() const override { return {"m"}; }
-  Snapshot snapshot(const std::vector<std::string>&) override { return {}; }
+  void fill_snapshot(const std::vector<std::string>&, Snapshot&) override {}
   std::string state_hash() const override { return ""; }
   SavedState save() const override { return {time(), steps_, {}, {}}; }
   void restore(const SavedState& state) override { steps_ = state.step; }

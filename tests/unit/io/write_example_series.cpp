@@ -1,4 +1,5 @@
-/// Writes the particle files that vtk_readers_test.py reads back: three frames with known numbers, and one without particles.
+/// Writes the particle files that vtk_readers_test.py reads back: three frames with known numbers, one in single precision, and one without
+/// particles.
 
 #include <sinew/io/run_folder.hpp>
 #include <sinew/io/write_vtk.hpp>
@@ -32,9 +33,10 @@ int main(int, char** arguments) {
   const sinew::RunFolder run = sinew::RunFolder::create(folder, false);
   sinew::PvdSeries series(run.series());
   for (int frame = 0; frame < 3; ++frame) {
-    const std::size_t count = frame == 1 ? 70'000 : 5;  // many: several compressed blocks
+    const std::size_t count = frame == 1 ? 70'000 : 5;  // many: several blocks of text
     sinew::write_vtu(run.frame(frame), make_snapshot(frame, count));
     series.add(0.1 * frame, sinew::RunFolder::frame_name(frame));
   }
+  sinew::write_vtu(run.frame(98), make_snapshot(98, 70'000), sinew::VtkReal::float32);
   sinew::write_vtu(run.frame(99), make_snapshot(99, 0));
 }

@@ -1,4 +1,9 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <gtest/gtest.h>
+#include <numeric>
 #include <sinew/core/error.hpp>
 #include <sinew/io/vtk_array.hpp>
 #include <sinew/io/write_vtk.hpp>
@@ -12,6 +17,35 @@ using test::message_of;
 
 std::string base64_of(std::string_view text) { return base64(std::as_bytes(std::span(text))); }
 
+/// What base64 of RFC 4648 stands for.
+std::string decoded(std::string_view text) {
+  const std::string_view alphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string bytes;
+  unsigned bits = 0, count = 0;
+  for (const char c : text.substr(0, text.find('='))) {
+    bits = bits << 6 | static_cast<unsigned>(alphabet.find(c));
+    count += 6;
+    if (count >= 8) bytes += static_cast<char>(bits >> (count -= 8));
+  }
+  return bytes;
+}
+
+/// The numbers of a <DataArray>, behind their count of bytes.
+template <class T>
+std::vector<T> array_in(const std::string& file, const std::string& type, const std::string& name) {
+  const std::string begin = "<DataArray type=\"" + type + "\" Name=\"" + name + "\"";
+  const std::size_t element = file.find(begin);
+  if (element == file.npos) return {};
+  const std::size_t text = file.find('\n', element) + 1;
+  const std::string bytes = decoded(std::string_view(file).substr(text, file.find('\n', text) - text));
+  std::uint64_t size = 0;
+  std::memcpy(&size, bytes.data(), sizeof size);
+  EXPECT_EQ(size, bytes.size() - sizeof size) << name;
+  std::vector<T> values(size / sizeof(T));
+  std::memcpy(values.data(), bytes.data() + sizeof size, size);
+  return values;
+}
+
 TEST(Base64, VectorsOfRfc4648) {
   EXPECT_EQ(base64_of(""), "");
   EXPECT_EQ(base64_of("f"), "Zg==");
@@ -21,11 +55,29 @@ TEST(Base64, VectorsOfRfc4648) {
   EXPECT_EQ(base64_of("\xff\xfe"), "//4=");
 }
 
-TEST(VtkArray, HeaderTellsBlocksAndSizes) {
-  const std::vector<double> values(40'000, 1.5);  // 320 000 bytes: one full block of 262 144 and 57 856 bytes
-  const std::string text = encode_vtk_array(std::as_bytes(std::span(values)));
-  const std::vector<std::uint32_t> head{2, 262'144, 57'856};
-  EXPECT_EQ(text.substr(0, 16), base64(std::as_bytes(std::span(head))));
+TEST(Base64, EveryLengthAndEveryByteComesBack) {
+  std::string bytes;
+  for (int i = 0; i < 300; ++i) {
+    EXPECT_EQ(decoded(base64_of(bytes)), bytes) << i;
+    bytes += static_cast<char>(37 * i + 11);
+  }
+}
+
+TEST(VtkArrayStream, PiecesOfAnySizeAreOneTextWithTheNumberOfBytes) {
+  const test::TemporaryFolder folder;
+  std::vector<std::uint64_t> whole(30'000);  // five blocks
+  for (std::size_t i = 0; i < whole.size(); ++i) whole[i] = i * 0x9e3779b97f4a7c15ULL;
+  whole[0] = (whole.size() - 1) * sizeof whole[0];
+  PartFile file(folder / "array");
+  VtkArrayStream stream(file, whole[0]);
+  std::span<const std::byte> left = std::as_bytes(std::span(whole).subspan(1));
+  for (std::size_t size = 1; !left.empty(); size = size * 3 + 1) {
+    stream.put(left.first(std::min(size, left.size())));
+    left = left.subspan(std::min(size, left.size()));
+  }
+  stream.end();
+  file.commit();
+  EXPECT_EQ(content(folder / "array"), base64(std::as_bytes(std::span(whole))));
 }
 
 TEST(Xml, EscapesAndBack) {
@@ -73,6 +125,60 @@ Snapshot two_particles() {
   snapshot.size = {1, 1};
   snapshot.body = {0, 0};
   return snapshot;
+}
+
+/// Numbers with all their digits, more of them than a block has.
+Snapshot many_particles() {
+  Snapshot snapshot;
+  snapshot.fields = {{"pressure", "Pa", 1, {}}, {"velocity", "m/s", 3, {}}};
+  for (int i = 0; i < 20'000; ++i) {
+    const double x = std::exp(0.001 * i - 10.0) / 3.0;
+    snapshot.position.push_back({{x, -x, 2 * x}});
+    snapshot.size.push_back(1.0);
+    snapshot.body.push_back(i % 3);
+    snapshot.fields[0].values.push_back(1e6 / x);
+    for (int c = 0; c < 3; ++c) snapshot.fields[1].values.push_back(x * c - 0.1);
+  }
+  return snapshot;
+}
+
+std::vector<double> coordinates(const Snapshot& snapshot) {
+  std::vector<double> list;
+  for (const Point& x : snapshot.position) list.insert(list.end(), x.c, x.c + 3);
+  return list;
+}
+
+TEST(WriteVtu, DoubleKeepsEveryBit) {
+  const test::TemporaryFolder folder;
+  const Snapshot snapshot = many_particles();
+  write_vtu(folder / "frame.vtu", snapshot);
+  const std::string file = content(folder / "frame.vtu");
+  EXPECT_EQ(file.find("compressor"), file.npos);
+  EXPECT_EQ(array_in<double>(file, "Float64", "pressure"), snapshot.fields[0].values);
+  EXPECT_EQ(array_in<double>(file, "Float64", "velocity"), snapshot.fields[1].values);
+  EXPECT_EQ(array_in<double>(file, "Float64", "Points"), coordinates(snapshot));
+  EXPECT_EQ(array_in<std::int32_t>(file, "Int32", "body"), snapshot.body);
+  std::vector<std::int32_t> number(snapshot.body.size());
+  std::iota(number.begin(), number.end(), 0);
+  EXPECT_EQ(array_in<std::int32_t>(file, "Int32", "particle_id"), number);
+  EXPECT_EQ(array_in<std::int32_t>(file, "Int32", "connectivity"), number);
+  std::iota(number.begin(), number.end(), 1);
+  EXPECT_EQ(array_in<std::int32_t>(file, "Int32", "offsets"), number);
+}
+
+TEST(WriteVtu, SingleIsTheNearestFloat) {
+  const test::TemporaryFolder folder;
+  const Snapshot snapshot = many_particles();
+  write_vtu(folder / "frame.vtu", snapshot, VtkReal::float32);
+  const std::string file = content(folder / "frame.vtu");
+  const auto expect_close = [](const std::vector<float>& read, const std::vector<double>& written) {
+    ASSERT_EQ(read.size(), written.size());
+    for (std::size_t i = 0; i < read.size(); ++i) ASSERT_LE(std::abs(read[i] - written[i]), 0x1p-24 * std::abs(written[i])) << i;
+  };
+  expect_close(array_in<float>(file, "Float32", "pressure"), snapshot.fields[0].values);
+  expect_close(array_in<float>(file, "Float32", "velocity"), snapshot.fields[1].values);
+  expect_close(array_in<float>(file, "Float32", "Points"), coordinates(snapshot));
+  EXPECT_EQ(array_in<std::int32_t>(file, "Int32", "body"), snapshot.body);
 }
 
 TEST(WriteVtu, UnwritablePlaceNamesPathAndReason) {
