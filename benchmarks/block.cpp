@@ -54,7 +54,7 @@ class Block {
         radius_(particles_.slots, support),
         solid_(particles_, radius_, solver_options()),
         setup_seconds_(watch_.seconds()),
-        forces_(solid_.make_streams()) {
+        forces_(particles_.slots) {
     set_motion(particles_);
   }
 
@@ -121,7 +121,7 @@ class Block {
   std::vector<double> radius_;
   TotalLagrangian<D> solid_;
   double setup_seconds_;
-  ForceStreams<D> forces_;
+  VectorField<D> forces_;
 };
 
 template <int D>

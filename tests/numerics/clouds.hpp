@@ -45,6 +45,18 @@ Cloud<D> make_cloud(int n, double jitter, double support, bool uneven, int bodie
   return cloud;
 }
 
+/// Blocks of at most so many particles while it lives.
+class BlockSize {
+ public:
+  explicit BlockSize(int most) : kept_(largest_block) { largest_block = most; }
+  ~BlockSize() { largest_block = kept_; }
+  BlockSize(const BlockSize&) = delete;
+  BlockSize& operator=(const BlockSize&) = delete;
+
+ private:
+  int kept_;
+};
+
 /// u = (A - I) X + bump * smooth function of place.
 template <int D>
 void displace(Particles<D>& particles, const Mat<double, D>& A, double bump) {

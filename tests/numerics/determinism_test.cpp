@@ -19,6 +19,7 @@ std::string hash_with(const std::string& text, int threads) {
 }
 
 TEST(Determinism, SameBitsOnAnyNumberOfThreads) {
+  const BlockSize small(1000);
   for (int dimension : {2, 3}) {
     std::string text = free_block(dimension);
     const auto at = text.find("spacing = 0.1");
@@ -28,28 +29,50 @@ TEST(Determinism, SameBitsOnAnyNumberOfThreads) {
   }
 }
 
-/// The case above has several chunks: otherwise the test would prove nothing.
-TEST(Determinism, SeveralChunksOfBothStreams) {
+/// With blocks so small that the cases have several: otherwise the test would prove nothing.
+TEST(Determinism, SeveralBlocks) {
+  const BlockSize small(1000);
   std::string text = free_block(2);
   text.replace(text.find("spacing = 0.1"), 13, "spacing = 0.01");
-  EXPECT_GE(simulation_of(text)->facts().chunks, 4);
+  EXPECT_GE(simulation_of(text)->facts().blocks, 8);
 }
 
-/// Chunks of one stream never write the same row.
-TEST(Determinism, ChunksOfOneStreamDoNotMeet) {
-  const Cloud<2> cloud = make_cloud<2>(100, 0.3, 2.41, true, 2, 11);
+/// Every ghost belongs to another block of the same body, and its force finds the way there.
+TEST(Determinism, GhostsAreSpilledIntoTheirOwners) {
+  const BlockSize small(300);
+  const Cloud<2> cloud = make_cloud<2>(60, 0.3, 2.41, true, 2, 11);
   const TotalLagrangian<2> solid(cloud.particles, cloud.radius, options<2>(material_with<NeoHookean>(1.0, 1.0, 0.3), 2));
-  ASSERT_GT(solid.chunks().size(), 4u);
-  std::vector<int> owner[2] = {std::vector<int>(cloud.particles.slots, -1), std::vector<int>(cloud.particles.slots, -1)};
-  for (std::size_t c = 0; c < solid.chunks().size(); ++c) {
-    const Chunk& chunk = solid.chunks()[c];
-    for (int slot = lanes * chunk.first_slice; slot < lanes * chunk.end_slice; ++slot)
-      for (int j : solid.neighbors(slot)) {
-        int& who = owner[chunk.stream][j];
-        EXPECT_TRUE(who == -1 || who == static_cast<int>(c));
-        who = static_cast<int>(c);
+  const Blocks& blocks = solid.pairs().blocks;
+  ASSERT_GT(blocks.count(), 10);
+  std::vector<int> seen(blocks.ghosts, 0);
+  for (const Spill& spill : blocks.in) {
+    const Block &from = blocks.all[spill.from], &to = blocks.all[spill.to];
+    EXPECT_EQ(from.body, to.body);
+    EXPECT_NE(spill.from, spill.to);
+    for (int r = spill.first_run; r < spill.end_run; ++r) {
+      const sinew::Run& run = blocks.runs[r];
+      EXPECT_TRUE(r >= from.first_ghost && r < from.end_runs);
+      EXPECT_TRUE(run.slot >= to.begin && run.slot + run.length <= to.end);
+      for (int k = 0; k < run.length; ++k) {
+        EXPECT_EQ(blocks.slots_of(from)[run.place + k], run.slot + k);
+        ++seen[run.spill + k];
       }
+    }
   }
+  EXPECT_EQ(std::count(seen.begin(), seen.end(), 1), blocks.ghosts);
+}
+
+TEST(Determinism, BlocksThatSeeTooMuchAreAnError) {
+  const std::size_t usual = place_limit;
+  place_limit = 400;
+  try {
+    const Cloud<2> cloud = make_cloud<2>(20, 0.3, 2.41, false, 1, 5);
+    const TotalLagrangian<2> solid(cloud.particles, cloud.radius, options<2>(material_with<NeoHookean>(1.0, 1.0, 0.3)));
+    ADD_FAILURE() << "no error";
+  } catch (const CaseError& error) {
+    EXPECT_NE(std::string(error.what()).find("Make [formulation] support smaller"), std::string::npos) << error.what();
+  }
+  place_limit = usual;
 }
 
 TEST(Determinism, RestartGivesTheBitsOfARunThatNeverStopped) {

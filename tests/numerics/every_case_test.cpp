@@ -5,9 +5,10 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <sinew/neighbors/chunks.hpp>
+#include <sinew/neighbors/threads.hpp>
 #include <vector>
 
+#include "clouds.hpp"
 #include "run_case.hpp"
 
 namespace sinew {
@@ -40,8 +41,9 @@ std::vector<std::string> marks(const std::string& path, int threads, int steps) 
 }
 
 TEST_P(EveryCase, SameBitsOnAnyNumberOfThreads) {
+  const sinew::testing::BlockSize small(100);  // else small cases would have one block
   const int usual = fewest_for_threads;
-  fewest_for_threads = 0;  // else small cases would use one thread, whatever is asked for
+  fewest_for_threads = 0;  // and use one thread, whatever is asked for
   constexpr int steps = 5;
   const auto one = marks(GetParam(), 1, steps);
   for (int threads : {2, 3, 4, 8}) EXPECT_EQ(marks(GetParam(), threads, steps), one) << threads << " threads";

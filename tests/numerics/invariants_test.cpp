@@ -46,16 +46,17 @@ TEST(Invariants, ARigidRotationLeavesNoStress) {
 
 template <int D>
 void check_momentum(AnyCorrection correction, bool torque) {
+  const BlockSize small(40);
   Cloud<D> cloud = make_cloud<D>(D == 3 ? 5 : 9, 0.4, 2.41, true, 1, 3);
   displace<D>(cloud.particles, Mat<double, D>::identity(), 0.15);
   const TotalLagrangian<D> solid(cloud.particles, cloud.radius, options<D>(rubber, 1, WendlandC2{}, correction));
-  ForceStreams<D> forces = solid.make_streams();
+  VectorField<D> forces(cloud.particles.slots);
   solid.internal_forces(cloud.particles, forces);
   Point sum, moment;
   double scale = 0.0;
   for (int slot : cloud.particles.slot_of) {
     Point f;
-    for (int c = 0; c < D; ++c) f[c] = forces.on(slot)[c];
+    for (int c = 0; c < D; ++c) f[c] = forces[slot][c];
     sum += f;
     moment += cross(cloud.particles.current(slot), f);
     scale += norm(f);
@@ -86,15 +87,15 @@ void check_energy_gradient(const AnyMaterial& material, const AnyCorrection& cor
   TotalLagrangianOptions o = options<D>(material, 1, CubicSpline{}, correction);
   if (!hourglass) o.hourglass.reset();
   const TotalLagrangian<D> solid(cloud.particles, cloud.radius, o);
-  const auto energy = [&](ForceStreams<D>& unused) {
+  const auto energy = [&](VectorField<D>& unused) {
     const ForceSummary summary = solid.internal_forces(cloud.particles, unused);
     return summary.strain_energy + summary.hourglass_energy;
   };
-  ForceStreams<D> forces = solid.make_streams(), scratch = solid.make_streams();
+  VectorField<D> forces(cloud.particles.slots), scratch(cloud.particles.slots);
   solid.internal_forces(cloud.particles, forces);
   const double step = 1e-5;
   double scale = 0.0;
-  for (int slot : cloud.particles.slot_of) scale = std::max(scale, norm(forces.on(slot)));
+  for (int slot : cloud.particles.slot_of) scale = std::max(scale, norm(forces[slot]));
   for (int user = 0; user < cloud.particles.count; user += 5)
     for (int c = 0; c < D; ++c) {
       double& u = cloud.particles.displacement.at(c, cloud.particles.slot_of[user]);
@@ -104,7 +105,7 @@ void check_energy_gradient(const AnyMaterial& material, const AnyCorrection& cor
       u = kept - step;
       const double before = energy(scratch);
       u = kept;
-      EXPECT_NEAR(forces.on(cloud.particles.slot_of[user])[c], -(after - before) / (2.0 * step), 1e-7 * scale);
+      EXPECT_NEAR(forces[cloud.particles.slot_of[user]][c], -(after - before) / (2.0 * step), 1e-7 * scale);
     }
 }
 
@@ -134,14 +135,14 @@ TEST(Invariants, DualSupport) {
   const int corner = particles.slot_of[0], far = particles.slot_of[3];
   EXPECT_EQ(solid.pairs().neighbor_count[corner], 12);  // of the 15 others all but (2, 3), (3, 2) and (3, 3)
   EXPECT_EQ(solid.pairs().neighbor_count[far], 3);
-  ForceStreams<2> before = solid.make_streams(), after = solid.make_streams();
+  VectorField<2> before(particles.slots), after(particles.slots);
   solid.internal_forces(particles, before);
   particles.displacement.at(0, far) += 1e-3;  // only the corner sees this one at distance 3
   solid.internal_forces(particles, after);
   Vec<double, 2> sum;
-  for (int slot : particles.slot_of) sum += after.on(slot);
+  for (int slot : particles.slot_of) sum += after[slot];
   EXPECT_LT(norm(sum), 1e-15);
-  EXPECT_GT(norm(after.on(corner) - before.on(corner)), 1e-8);
+  EXPECT_GT(norm(after[corner] - before[corner]), 1e-8);
 }
 
 TEST(Invariants, TooFewNeighborsAreNamed) {

@@ -40,11 +40,11 @@ Particles<D> particles_of(const std::vector<PointSet>& bodies) {
 template <int D>
 std::vector<Vec<double, D>> forces_of(const Particles<D>& particles, const TotalLagrangian<D>& solid,
                                       ForceSummary* summary = nullptr) {
-  ForceStreams<D> streams = solid.make_streams();
-  const ForceSummary s = solid.internal_forces(particles, streams);
+  VectorField<D> total(particles.slots);
+  const ForceSummary s = solid.internal_forces(particles, total);
   if (summary) *summary = s;
   std::vector<Vec<double, D>> forces;
-  for (int slot : particles.slot_of) forces.push_back(streams.on(slot));
+  for (int slot : particles.slot_of) forces.push_back(total[slot]);
   return forces;
 }
 
@@ -62,22 +62,23 @@ enum class Share { all, most };
 
 /// Compares with the list; `share`: of the slices that have to have a pattern.
 template <int D>
-void compare_with_list(const std::vector<PointSet>& bodies, Share share, double support = 2.41) {
+void compare_in_blocks(const std::vector<PointSet>& bodies, Share share, double support, int block) {
+  const BlockSize size(block);
   const Particles<D> particles = particles_of<D>(bodies);
   const std::vector<double> radius(particles.slots, support);
   const int count = static_cast<int>(bodies.size());
-  int slices = 0;
-  for (const BodyRange& body : particles.bodies) slices += (body.end - body.begin) / lanes;
   for (const char* form : {"conservative", "half"}) {
     TotalLagrangianOptions o = options<D>(material_with<NeoHookean>(1.3, 2.0, 0.4), count);
     o.hourglass->normalization.value = form;
     const TotalLagrangian<D> lattice(particles, radius, o);
     o.lattice = false;
     const TotalLagrangian<D> listed(particles, radius, o);
+    const int slices = lattice.pairs().blocks.slices();
     EXPECT_GT(lattice.lattice().slices(), share == Share::all ? slices - 1 : slices / 2);
     EXPECT_LT(lattice.lattice().slices(), share == Share::all ? slices + 1 : slices);
     EXPECT_EQ(listed.lattice().slices(), 0);
-    for (int slot : particles.slot_of) ASSERT_EQ(lattice.neighbors(slot), listed.neighbors(slot)) << slot;
+    for (int slot : particles.slot_of)
+      ASSERT_EQ(lattice.pairs().neighbors(slot, particles), listed.pairs().neighbors(slot, particles)) << slot;
 
     ForceSummary a, b;
     EXPECT_LT(difference(forces_of(particles, lattice, &a), forces_of(particles, listed, &b)), 1e-12) << form;
@@ -95,6 +96,11 @@ void compare_with_list(const std::vector<PointSet>& bodies, Share share, double 
       for (int c = 0; c < 9; ++c) EXPECT_NEAR(with.stress[9 * slot + c], without.stress[9 * slot + c], 1e-11);
     }
   }
+}
+
+template <int D>
+void compare_with_list(const std::vector<PointSet>& bodies, Share share, double support = 2.41) {
+  for (const int block : {largest_block, 200}) compare_in_blocks<D>(bodies, share, support, block);
 }
 
 const auto everything = [](int, int, int) { return true; };
@@ -152,6 +158,7 @@ std::vector<Vec<double, D>> forces_with(const Cloud<D>& cloud, WeightStorage wei
 
 template <int D>
 void check_weights() {
+  const BlockSize small(100);
   Cloud<D> cloud = make_cloud<D>(D == 3 ? 6 : 14, 0.2, 2.41, true, 1, 8);
   Mat<double, D> A = Mat<double, D>::identity();
   A[0][1] = 0.2, A[1][1] = 1.1;

@@ -143,17 +143,6 @@ TEST(PairList, SameForAnyNumberOfThreads) {
   }
 }
 
-TEST(PairList, ReachIsTheLongestPair) {
-  const Cloud<2> cloud = make_cloud<2>(11, 0.4, 2.41, true, 2, 36);
-  const PairList list = build_pair_list(cloud.particles, cloud.radius);
-  for (const BodyRange& body : cloud.particles.bodies) {
-    int longest = 0;
-    for (int slot = body.begin; slot < body.end; ++slot)
-      for (const int j : row_of(list, slot)) longest = std::max(longest, std::abs(j - slot));
-    EXPECT_EQ(reach(list, body.begin, body.end), longest);
-  }
-}
-
 TEST(RadiusOfNeighbors, HoldsThatMany) {
   const Cloud<2> cloud = make_cloud<2>(12, 0.3, 1.0, false, 1, 24);
   const std::vector<double> radius = radius_of_neighbors(cloud.particles, 12.0);
@@ -233,25 +222,55 @@ TEST(Order, IsThatOfItsDefinition) {
   Random random(38);
   for (const double spacing : {0.05, 0.5, 1.0, 7.0}) {
     const std::vector<Point> space = in_box<3>(900, {{8, 12, 10}}, random), plane = in_box<2>(900, {{20, 31, 0}}, random);
-    EXPECT_EQ(computing_order(space, spacing, 3), sorted_by_definition<3>(space, spacing, 1, 2));
-    EXPECT_EQ(computing_order(plane, spacing, 2), sorted_by_definition<2>(plane, spacing, 1, 0));
+    EXPECT_EQ(row_order(space, spacing, 3), sorted_by_definition<3>(space, spacing, 1, 2));
+    EXPECT_EQ(row_order(plane, spacing, 2), sorted_by_definition<2>(plane, spacing, 1, 0));
     std::vector<Point> halves = space;  // on the limits of the bins, and many at one place
     for (Point& p : halves)
       for (int c = 0; c < 3; ++c) p[c] = std::round(2.0 * p[c] / spacing) * 0.5 * spacing;
-    EXPECT_EQ(computing_order(halves, spacing, 3), sorted_by_definition<3>(halves, spacing, 1, 2));
+    EXPECT_EQ(row_order(halves, spacing, 3), sorted_by_definition<3>(halves, spacing, 1, 2));
     std::vector<Point> far = clusters<3>(random);
     for (Point& p : far) p = spacing * p;
-    EXPECT_EQ(computing_order(far, spacing, 3), sorted_by_definition<3>(far, spacing, 0, 1));
+    EXPECT_EQ(row_order(far, spacing, 3), sorted_by_definition<3>(far, spacing, 0, 1));
   }
-  EXPECT_TRUE(computing_order(std::vector<Point>{}, 1.0, 3).empty());
+  EXPECT_TRUE(row_order(std::vector<Point>{}, 1.0, 3).empty());
 }
 
-TEST(Order, ShortensTheReach) {
+/// Blocks of one body cover it, none is too large, and each is a box of whole slabs, layers and places of a lattice, in order of rows.
+TEST(Order, BlocksAreCompact) {
   Random random(25);
-  const PointSet points = cloud_points<3>(12, 0.2, 0.0, random);
-  const Particles<3> particles = make_particles<3>({{"body", &points, 1.0, 1.0}}, 1.0);
-  const PairList list = build_pair_list(particles, std::vector<double>(particles.slots, 2.41));
-  EXPECT_LE(reach(list, 0, particles.slots), 4 * 12 * 12);
+  for (const double jitter : {0.0, 0.2}) {
+    const PointSet points = cloud_points<3>(16, jitter, 0.0, random);  // 18 along x
+    const BlockOrder order = block_order(points.position, 1.0, 3, 300);
+    ASSERT_GE(order.block_end.size(), 14u);
+    EXPECT_EQ(order.block_end.back(), 18 * 16 * 16);
+    const std::vector<int> rows = row_order(points.position, 1.0, 3);
+    int begin = 0;
+    for (const int end : order.block_end) {
+      EXPECT_LE(end - begin, 300);
+      EXPECT_GE(end - begin, 100);
+      Point low = points.position[order.number[begin]], high = low;
+      for (int k = begin; k < end; ++k) {
+        EXPECT_EQ(rows[order.row_place[k]], order.number[k]);
+        EXPECT_TRUE(k == begin || order.row_place[k - 1] < order.row_place[k]);
+        for (int c = 0; c < 3; ++c) {
+          low[c] = std::min(low[c], points.position[order.number[k]][c]);
+          high[c] = std::max(high[c], points.position[order.number[k]][c]);
+        }
+      }
+      double volume = 1.0;
+      for (int c = 0; c < 3; ++c) volume *= high[c] - low[c] + 1.0;
+      EXPECT_TRUE(jitter > 0.0 || std::abs(volume - (end - begin)) < 1e-9);
+      begin = end;
+    }
+  }
+}
+
+/// Points that cannot be cut apart in space are cut anyway.
+TEST(Order, BlocksOfPointsInOneBin) {
+  const std::vector<Point> points(100, Point{{0.1, 0.1, 0.1}});
+  const BlockOrder order = block_order(points, 1.0, 3, 16);
+  EXPECT_EQ(order.block_end.back(), 100);
+  EXPECT_GE(order.block_end.size(), 7u);
 }
 
 TEST(Particles, MassAndVolumeAreThoseOfThePoints) {

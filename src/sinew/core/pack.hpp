@@ -45,7 +45,10 @@ struct Pack {
   static SINEW_INLINE Pack load(const float* floats) { return Pack(registers::load(floats)); }
 
   /// values[index[k]] in lane k.
-  static SINEW_INLINE Pack gather(const double* values, const int* index) { return Pack(registers::gather(values, index)); }
+  template <class Index>
+  static SINEW_INLINE Pack gather(const double* values, const Index* index) {
+    return Pack(registers::gather(values, index));
+  }
 
   SINEW_INLINE double operator[](int i) const { return registers::lane(v, i); }
   SINEW_INLINE void set(int i, double s) { registers::set_lane(v, i, s); }

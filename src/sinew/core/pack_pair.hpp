@@ -72,7 +72,8 @@ SINEW_INLINE void store_unaligned(Doubles v, double* to) {
 SINEW_INLINE Four doubles_of(const float* f) { return Four{f[0], f[1], f[2], f[3]}; }
 SINEW_INLINE Doubles load(const float* f) { return {doubles_of(f), doubles_of(f + 4)}; }
 
-SINEW_INLINE Doubles gather(const double* v, const int* i) {
+template <class Index>
+SINEW_INLINE Doubles gather(const double* v, const Index* i) {
   return {Four{v[i[0]], v[i[1]], v[i[2]], v[i[3]]}, Four{v[i[4]], v[i[5]], v[i[6]], v[i[7]]}};
 }
 
@@ -118,8 +119,8 @@ SINEW_INLINE Four join(const double* a, const double* b) {
 }
 
 /// Columns 0, 1 (and 2) of the rows of `width` doubles at index[0..3].
-template <int width, int columns>
-SINEW_INLINE void load_four(const double* rows, const int* index, Four (&column)[columns]) {
+template <int width, int columns, class Index>
+SINEW_INLINE void load_four(const double* rows, const Index* index, Four (&column)[columns]) {
   const double* r[4];
   for (int k = 0; k < 4; ++k) r[k] = rows + width * static_cast<std::ptrdiff_t>(index[k]);
   const Four a = join(r[0], r[2]), b = join(r[1], r[3]);
@@ -127,8 +128,8 @@ SINEW_INLINE void load_four(const double* rows, const int* index, Four (&column)
   if constexpr (columns == 3) column[2] = even(join(r[0] + 2, r[2] + 2), join(r[1] + 2, r[3] + 2));
 }
 
-template <int columns>
-SINEW_INLINE void load_eight(const double* rows, const int* index, Doubles (&column)[columns]) {
+template <int columns, class Index>
+SINEW_INLINE void load_eight(const double* rows, const Index* index, Doubles (&column)[columns]) {
   constexpr int width = columns == 3 ? 8 : 4;
   Four lo[columns], hi[columns];
   load_four<width>(rows, index, lo);
@@ -137,12 +138,14 @@ SINEW_INLINE void load_eight(const double* rows, const int* index, Doubles (&col
 }
 
 /// Columns 0, 1, 2 and 4, 5, 6 of the rows of eight doubles at index[0..7].
-SINEW_INLINE void load_columns(const double* rows, const int* index, Doubles (&first)[3], Doubles (&second)[3]) {
+template <class Index>
+SINEW_INLINE void load_columns(const double* rows, const Index* index, Doubles (&first)[3], Doubles (&second)[3]) {
   load_eight(rows, index, first);
   load_eight(rows + 4, index, second);
 }
 /// Columns 0, 1 and 2, 3 of the rows of four doubles at index[0..7].
-SINEW_INLINE void load_columns(const double* rows, const int* index, Doubles (&first)[2], Doubles (&second)[2]) {
+template <class Index>
+SINEW_INLINE void load_columns(const double* rows, const Index* index, Doubles (&first)[2], Doubles (&second)[2]) {
   load_eight(rows, index, first);
   load_eight(rows + 2, index, second);
 }
@@ -151,14 +154,16 @@ template <class Row>
 SINEW_INLINE void subtract_row(double* rows, int index, Row r) {
   *reinterpret_cast<Row*>(rows + sizeof(Row) / sizeof(double) * static_cast<std::ptrdiff_t>(index)) -= r;
 }
-SINEW_INLINE void subtract_four(double* rows, const int* index, Four x, Four y, Four z) {
+template <class Index>
+SINEW_INLINE void subtract_four(double* rows, const Index* index, Four x, Four y, Four z) {
   const Four xy_even = even(x, y), xy_odd = odd(x, y), z_even = even(z, Four{}), z_odd = odd(z, Four{});
   subtract_row(rows, index[0], low_halves(xy_even, z_even));
   subtract_row(rows, index[1], low_halves(xy_odd, z_odd));
   subtract_row(rows, index[2], high_halves(xy_even, z_even));
   subtract_row(rows, index[3], high_halves(xy_odd, z_odd));
 }
-SINEW_INLINE void subtract_four(double* rows, const int* index, Four x, Four y) {
+template <class Index>
+SINEW_INLINE void subtract_four(double* rows, const Index* index, Four x, Four y) {
   const Four e = even(x, y), o = odd(x, y);
   subtract_row(rows, index[0], __builtin_shufflevector(e, e, 0, 1));
   subtract_row(rows, index[1], __builtin_shufflevector(o, o, 0, 1));
@@ -167,12 +172,14 @@ SINEW_INLINE void subtract_four(double* rows, const int* index, Four x, Four y) 
 }
 
 /// Subtracts {x y z 0} of lane k from the row of four doubles at index[k], one lane after the other.
-SINEW_INLINE void subtract_columns(double* rows, const int* index, Doubles x, Doubles y, Doubles z) {
+template <class Index>
+SINEW_INLINE void subtract_columns(double* rows, const Index* index, Doubles x, Doubles y, Doubles z) {
   subtract_four(rows, index, x.lo, y.lo, z.lo);
   subtract_four(rows, index + 4, x.hi, y.hi, z.hi);
 }
 /// Subtracts {x y} of lane k from the row of two doubles at index[k], one lane after the other.
-SINEW_INLINE void subtract_columns(double* rows, const int* index, Doubles x, Doubles y) {
+template <class Index>
+SINEW_INLINE void subtract_columns(double* rows, const Index* index, Doubles x, Doubles y) {
   subtract_four(rows, index, x.lo, y.lo);
   subtract_four(rows, index + 4, x.hi, y.hi);
 }

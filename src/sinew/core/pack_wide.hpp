@@ -30,7 +30,8 @@ SINEW_INLINE void store_unaligned(Doubles v, double* to) { std::memcpy(to, &v, s
 SINEW_INLINE Doubles load(const float* f) { return Doubles{f[0], f[1], f[2], f[3], f[4], f[5], f[6], f[7]}; }
 
 /// Written out, the lanes meet in registers; set one after the other they meet in memory.
-SINEW_INLINE Doubles gather(const double* v, const int* i) {
+template <class Index>
+SINEW_INLINE Doubles gather(const double* v, const Index* i) {
   return Doubles{v[i[0]], v[i[1]], v[i[2]], v[i[3]], v[i[4]], v[i[5]], v[i[6]], v[i[7]]};
 }
 
@@ -86,7 +87,8 @@ SINEW_INLINE Two pair(Doubles a) {
 }
 
 /// Columns 0, 1, 2 and 4, 5, 6 of the rows of eight doubles at index[0..7].
-SINEW_INLINE void load_columns(const double* rows, const int* index, Doubles (&first)[3], Doubles (&second)[3]) {
+template <class Index>
+SINEW_INLINE void load_columns(const double* rows, const Index* index, Doubles (&first)[3], Doubles (&second)[3]) {
   auto r = [=](int k) { return row<Doubles>(rows, index[k]); };
   const Doubles e01 = even(r(0), r(1)), o01 = odd(r(0), r(1)), e23 = even(r(2), r(3)), o23 = odd(r(2), r(3));
   const Doubles e45 = even(r(4), r(5)), o45 = odd(r(4), r(5)), e67 = even(r(6), r(7)), o67 = odd(r(6), r(7));
@@ -99,7 +101,8 @@ SINEW_INLINE void load_columns(const double* rows, const int* index, Doubles (&f
 }
 
 /// Columns 0, 1 and 2, 3 of the rows of four doubles at index[0..7].
-SINEW_INLINE void load_columns(const double* rows, const int* index, Doubles (&first)[2], Doubles (&second)[2]) {
+template <class Index>
+SINEW_INLINE void load_columns(const double* rows, const Index* index, Doubles (&first)[2], Doubles (&second)[2]) {
   auto r = [=](int k) {  // rows k and k + 4 side by side
     return __builtin_shufflevector(row<Four>(rows, index[k]), row<Four>(rows, index[k + 4]), 0, 1, 2, 3, 4, 5, 6, 7);
   };
@@ -110,7 +113,8 @@ SINEW_INLINE void load_columns(const double* rows, const int* index, Doubles (&f
 }
 
 /// Subtracts {x y z 0} of lane k from the row of four doubles at index[k], one lane after the other.
-SINEW_INLINE void subtract_columns(double* rows, const int* index, Doubles x, Doubles y, Doubles z) {
+template <class Index>
+SINEW_INLINE void subtract_columns(double* rows, const Index* index, Doubles x, Doubles y, Doubles z) {
   const Doubles xy_even = even(x, y), xy_odd = odd(x, y), z_even = even(z, Doubles{}), z_odd = odd(z, Doubles{});
   const Doubles r04 = even_pairs(xy_even, z_even), r15 = even_pairs(xy_odd, z_odd);
   const Doubles r26 = odd_pairs(xy_even, z_even), r37 = odd_pairs(xy_odd, z_odd);
@@ -125,7 +129,8 @@ SINEW_INLINE void subtract_columns(double* rows, const int* index, Doubles x, Do
 }
 
 /// Subtracts {x y} of lane k from the row of two doubles at index[k], one lane after the other.
-SINEW_INLINE void subtract_columns(double* rows, const int* index, Doubles x, Doubles y) {
+template <class Index>
+SINEW_INLINE void subtract_columns(double* rows, const Index* index, Doubles x, Doubles y) {
   const Doubles e = even(x, y), o = odd(x, y);
   subtract_row(rows, index[0], pair<0>(e));
   subtract_row(rows, index[1], pair<0>(o));

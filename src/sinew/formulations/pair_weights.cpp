@@ -24,13 +24,13 @@ template <int D>
       "gradient. Make [formulation] support larger or spacing smaller, fill the shape there, or choose another correction than "
       "\"{}\".",
       particles.bodies[particles.body_of(slot)].name, particles.user_index[slot], X[0], X[1], X[2],
-      source.list.neighbor_count[slot], correction));
+      source.pairs.neighbor_count[slot], correction));
 }
 
 template <int D>
 PairWeights<D> room_for(const PairSource<D>& source, const WeightOptions& options) {
   PairWeights<D> w;
-  const std::size_t entries = source.list.entries() * lanes;
+  const std::size_t entries = source.pairs.entries() * lanes;
   const std::size_t numbers = options.radial() ? 1 : D;
   if (!options.radial() || options.storage == WeightStorage::stored) {
     w.pairs.gradient = AlignedArray<double>(entries * numbers);
@@ -49,22 +49,97 @@ BondWeight<double, D, true> bond_weight(const Bond<D>& bond) {
   return {w.gradient, w.gradient * bond.X, w.hourglass};
 }
 
-/// Numbers the constants of all slices. Returns the first slice of each.
+/// Numbers the constants of all slices: those of the patterns, then one for each slice with a list. Returns a slice of each pattern.
 template <int D>
-std::vector<int> number_constants(const PairSource<D>& source, PairWeights<D>& w) {
-  std::vector<int> first(source.lattice.patterns.size(), -1);
-  for (int slice = 0; slice < source.list.slices(); ++slice) {
-    const int pattern = source.lattice.of_slice[slice];
-    const bool regular = pattern != LatticePatterns<D>::none;
-    w.constants_of.push_back(regular ? pattern : static_cast<int>(first.size()));
-    if (!regular)
-      first.push_back(slice);
-    else if (first[pattern] < 0)
-      first[pattern] = slice;
+std::vector<int> number_constants(const BlockPairs<D>& pairs, PairWeights<D>& w) {
+  std::vector<int> slice_of(pairs.lattice.patterns.size(), -1);
+  int next = static_cast<int>(slice_of.size());
+  for (int slice = 0; slice < pairs.blocks.slices(); ++slice) {
+    const int pattern = pairs.lattice.of_slice[slice];
+    w.constants_of.push_back(pairs.listed(slice) ? next++ : pattern);
+    if (!pairs.listed(slice)) slice_of[pattern] = slice;
   }
-  w.constants = AlignedArray<SliceConstants<D>>(first.size());
-  return first;
+  w.constants = AlignedArray<SliceConstants<D>>(next);
+  return slice_of;
 }
+
+/// Weights and constants of all slices with one kernel and one correction.
+template <int D, class Kernel, class Correction>
+class AllWeights {
+ public:
+  AllWeights(const PairSource<D>& source, const WeightOptions& options, const Correction& correction, PairWeights<D>& w)
+      : source_(source),
+        options_(options),
+        correction_(correction),
+        w_(w) {}
+
+  void fill() {
+    for (const Bond<D>& bond : source_.pairs.lattice.bonds) w_.bonds.push_back(bond_weight<Kernel>(bond));
+    const std::vector<int> slice_of_pattern = number_constants(source_.pairs, w_);
+    most_stiffness_.assign(w_.constants.size(), 0.0);
+    for (std::size_t pattern = 0; pattern < slice_of_pattern.size(); ++pattern)
+      if (slice_of_pattern[pattern] >= 0) fill_slice(slice_of_pattern[pattern], source_.pairs.lattice.volumes[pattern], nullptr);
+    const std::vector<Block>& blocks = source_.pairs.blocks.all;
+#pragma omp parallel if (source_.particles.slots >= fewest_for_threads)
+    {
+      BlockReference<D> reference(source_.pairs.blocks.most_places());
+#pragma omp for schedule(dynamic, 1)
+      for (std::size_t b = 0; b < blocks.size(); ++b)
+        if (blocks[b].has_list) fill_block(blocks[b], reference);
+    }
+    if (bad_ < source_.particles.slots) too_few_neighbors(source_, bad_, Correction::name);
+    find_most_stiffness();
+  }
+
+ private:
+  void fill_block(const Block& block, BlockReference<D>& reference) {
+    reference.take(source_, w_.radius, block);
+    const int* slots = source_.pairs.blocks.slots_of(block);
+    for (int slice = block.first_slice; slice < block.end_slice; ++slice) {
+      if (!source_.pairs.listed(slice)) continue;
+      SliceVolumes volumes{};
+      const int place = source_.pairs.blocks.place_of_slice[slice];
+      for (int k = 0; k < lanes; ++k)
+        if (slots[place + k] >= block.begin && slots[place + k] < block.end) volumes[k] = reference.volume[place + k];
+      fill_slice(slice, volumes, &reference);
+    }
+  }
+
+  void fill_slice(int slice, const SliceVolumes& volumes, const BlockReference<D>* reference) {
+    SliceWeights<D, Kernel, Correction> weights(source_, options_, correction_, reference, w_);
+    const unsigned bad = weights.fill(slice, volumes);
+    most_stiffness_[w_.constants_of[slice]] = weights.most_stiffness();
+    if (bad == 0) return;
+#pragma omp critical
+    bad_ = std::min(bad_, first_slot(slice, bad));
+  }
+
+  /// Of the lanes of a slice.
+  int first_slot(int slice, unsigned which) const {
+    const Blocks& blocks = source_.pairs.blocks;
+    int first = source_.particles.slots;
+    for (const Block& block : blocks.all)
+      for (int k = 0; slice >= block.first_slice && slice < block.end_slice && k < lanes; ++k)
+        if ((which >> k & 1U) != 0U) first = std::min(first, blocks.slots_of(block)[blocks.place_of_slice[slice] + k]);
+    return first;
+  }
+
+  void find_most_stiffness() {
+    w_.most_stiffness.assign(source_.particles.bodies.size(), 0.0);
+    for (const Block& block : source_.pairs.blocks.all)
+      for (int slice = block.first_slice; slice < block.end_slice; ++slice) {
+        double& most = w_.most_stiffness[block.body];
+        most = std::max(most, most_stiffness_[w_.constants_of[slice]]);
+      }
+  }
+
+  const PairSource<D>& source_;
+  const WeightOptions& options_;
+  const Correction& correction_;
+  PairWeights<D>& w_;
+  std::vector<double> most_stiffness_;  ///< of each set of constants: largest sum of the hourglass weights
+  int bad_ = source_.particles.slots;   ///< first slot whose neighbors do not allow the correction
+};
 
 }  // namespace
 
@@ -73,28 +148,11 @@ PairWeights<D> make_pair_weights(const PairSource<D>& source, const std::vector<
                                  const WeightOptions& options) {
   PairWeights<D> w = room_for(source, options);
   std::copy(support_radius.begin(), support_radius.end(), w.radius.begin());
-  const std::vector<int> first_slice = number_constants(source, w);
-  std::vector<double> stiffness(first_slice.size(), 0.0);  // largest sum of the hourglass weights
-  int bad = source.particles.slots;
   std::visit(
       [&]<class Kernel, class Correction>(const Kernel&, const Correction& correction) {
-        for (const Bond<D>& bond : source.lattice.bonds) w.bonds.push_back(bond_weight<Kernel>(bond));
-#pragma omp parallel for schedule(dynamic, 64) reduction(min : bad)
-        for (std::size_t k = 0; k < first_slice.size(); ++k) {
-          if (first_slice[k] < 0) continue;
-          SliceWeights<D, Kernel, Correction> slice(source, options, correction, w);
-          bad = std::min(bad, slice.fill(first_slice[k]));
-          stiffness[k] = slice.most_stiffness();
-        }
-        if (bad < source.particles.slots) too_few_neighbors(source, bad, Correction::name);
+        AllWeights<D, Kernel, Correction>(source, options, correction, w).fill();
       },
       options.kernel, options.correction);
-  for (const BodyRange& body : source.particles.bodies) {
-    double most = 0.0;
-    for (int slice = body.begin / lanes; slice < body.end / lanes; ++slice)
-      most = std::max(most, stiffness[w.constants_of[slice]]);
-    w.most_stiffness.push_back(most);
-  }
   return w;
 }
 

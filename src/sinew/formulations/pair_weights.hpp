@@ -6,7 +6,7 @@
 #include <sinew/corrections/registry.hpp>
 #include <sinew/formulations/pair_weight.hpp>
 #include <sinew/kernels/registry.hpp>
-#include <sinew/neighbors/lattice_patterns.hpp>
+#include <sinew/neighbors/block_pairs.hpp>
 #include <string>
 #include <vector>
 
@@ -94,8 +94,7 @@ struct PairWeights {
 template <int D>
 struct PairSource {
   const Particles<D>& particles;
-  const PairList& list;
-  const LatticePatterns<D>& lattice;
+  const BlockPairs<D>& pairs;
 };
 
 /// Computes the weights. A particle whose neighbors do not allow the correction is a CaseError that names it. `support_radius`: per slot [length].

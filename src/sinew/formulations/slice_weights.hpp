@@ -24,33 +24,54 @@ struct NeighborSums {
   }
 };
 
+/// The reference configuration of a block by place. One for each thread; it keeps its memory.
+template <int D>
+struct BlockReference {
+  VectorField<D> position;
+  AlignedArray<double> volume, radius;
+
+  explicit BlockReference(int most_places) : position(most_places), volume(most_places), radius(most_places) {}
+  void take(const PairSource<D>& source, const AlignedArray<double>& support_radius, const Block& block) {
+    const int* slots = source.pairs.blocks.slots_of(block);
+    for (int place = 0; place < block.places; ++place) {
+      const int slot = slots[place];
+      const bool own = slot >= block.begin && slot < block.end;
+      for (int c = 0; c < D; ++c) position.at(c, place) = slot < 0 ? 0.0 : source.particles.position.at(c, slot);
+      volume[place] = slot < 0 ? 0.0 : source.particles.volume[slot];
+      radius[place] = own ? support_radius[slot] : 1.0;
+    }
+  }
+};
+
 template <int D, class Kernel, class Correction>
 class SliceWeights {
  public:
-  SliceWeights(const PairSource<D>& source, const WeightOptions& options, const Correction& correction, PairWeights<D>& weights)
+  /// `reference`: of the block of the slice; nullptr for slices with a pattern only.
+  SliceWeights(const PairSource<D>& source, const WeightOptions& options, const Correction& correction,
+               const BlockReference<D>* reference, PairWeights<D>& weights)
       : source_(source),
         options_(options),
         correction_(correction),
+        reference_(reference),
         w_(weights) {}
 
-  /// Fills weights and constants of a slice. Returns the first slot whose neighbors do not allow the correction, or the number of slots.
-  int fill(int slice) {
-    const NeighborSums<D> sums = sum_neighbors(slice);
-    int bad = source_.particles.slots;
+  /// Fills weights and constants of a slice. Returns the lanes whose neighbors do not allow the correction.
+  unsigned fill(int slice, const SliceVolumes& volumes) {
+    const NeighborSums<D> sums = sum_neighbors(slice, volumes);
+    unsigned bad = 0;
     Vec<Pack, D> shift;
     Pack scale(0.0);
     Mat<Pack, D> L;
     for (int k = lanes - 1; k >= 0; --k) {
-      const int slot = lanes * slice + k;
-      if (source_.particles.user_index[slot] < 0) continue;
+      if (volumes[k] == 0.0) continue;
       const GradientMap<D> map = correction_.map(sums.lane(k));
-      if (!map.valid) bad = slot;
+      if (!map.valid) bad |= 1U << k;
       scale.set(k, map.scale);
       for (int i = 0; i < D; ++i) {
         shift[i].set(k, map.shift[i]);
         for (int j = 0; j < D; ++j) L[i][j].set(k, map.L[i][j]);
       }
-      finish(slice, k, sums);
+      finish(slice, k, volumes[k], sums);
     }
     if constexpr (Correction::radial)
       store(L, slice);
@@ -62,33 +83,36 @@ class SliceWeights {
   double most_stiffness() const { return most_stiffness_; }
 
  private:
-  /// use(entry, X_ij, V_j) for all neighbors; X = 0 where a particle has fewer than the others. `entry`: of the list, if there is one.
+  /// use(entry, X_ij, V_j, R_i) for all neighbors; X = 0 where a particle has fewer than the others. `entry`: of the list, if there is one.
   template <class Use>
   void for_each_neighbor(int slice, Use&& use) const {
-    const int pattern = source_.lattice.of_slice[slice];
-    if (pattern == LatticePatterns<D>::none) return for_each_listed(slice, use);
-    const LatticePattern& p = source_.lattice.patterns[pattern];
+    if (source_.pairs.listed(slice)) return for_each_listed(slice, use);
+    const LatticePatterns<D>& lattice = source_.pairs.lattice;
+    const LatticePattern& p = lattice.patterns[lattice.of_slice[slice]];
     for (int k = p.first_mirrored; k < p.end_mirrored; ++k) {
-      const Bond<D>& bond = source_.lattice.bonds[source_.lattice.mirrored[k].bond];
+      const Bond<D>& bond = lattice.bonds[lattice.mirrored[k].bond];
       const Vec<Pack, D> X = everywhere(bond.X, PackMask::from_bits(0xff));
-      use(std::size_t{0}, X, Pack(bond.volume));
-      use(std::size_t{0}, -X, Pack(bond.volume));
+      use(std::size_t{0}, X, Pack(bond.volume), Pack(bond.radius));
+      use(std::size_t{0}, -X, Pack(bond.volume), Pack(bond.radius));
     }
     for (int k = p.first_single; k < p.end_single; ++k) {
-      const Bond<D>& bond = source_.lattice.bonds[source_.lattice.single[k].bond];
-      use(std::size_t{0}, everywhere(bond.X, PackMask::from_bits(source_.lattice.single[k].members)), Pack(bond.volume));
+      const Bond<D>& bond = lattice.bonds[lattice.single[k].bond];
+      use(std::size_t{0}, everywhere(bond.X, PackMask::from_bits(lattice.single[k].members)), Pack(bond.volume),
+          Pack(bond.radius));
     }
   }
   template <class Use>
   void for_each_listed(int slice, Use&& use) const {
-    const Particles<D>& particles = source_.particles;
+    const VectorField<D>& position = reference_->position;
+    const int place = source_.pairs.blocks.place_of_slice[slice];
+    const Pack R = Pack::load(reference_->radius.data() + place);
     Vec<Pack, D> own;
-    for (int c = 0; c < D; ++c) own[c] = Pack::load(particles.position.component(c) + lanes * slice);
-    for (std::size_t e = source_.list.first_entry[slice]; e < source_.list.first_entry[slice + 1]; ++e) {
-      const int* index = source_.list.entry(e);
+    for (int c = 0; c < D; ++c) own[c] = Pack::load(position.component(c) + place);
+    for (std::size_t e = source_.pairs.first_entry[slice]; e < source_.pairs.first_entry[slice + 1]; ++e) {
+      const PlaceIndex* index = source_.pairs.entry(e);
       Vec<Pack, D> X;
-      for (int c = 0; c < D; ++c) X[c] = Pack::gather(particles.position.component(c), index) - own[c];
-      use(e, X, Pack::gather(particles.volume.data(), index));
+      for (int c = 0; c < D; ++c) X[c] = Pack::gather(position.component(c), index) - own[c];
+      use(e, X, Pack::gather(reference_->volume.data(), index), R);
     }
   }
   static Vec<Pack, D> everywhere(const Vec<double, D>& X, PackMask mask) {
@@ -96,16 +120,15 @@ class SliceWeights {
     for (int c = 0; c < D; ++c) all[c] = select(mask, Pack(X[c]), Pack(0.0));
     return all;
   }
-  Pack radius(int slice) const { return Pack::load(w_.radius.data() + lanes * slice); }
+  Pack radius(int slice) const { return Pack::load(reference_->radius.data() + source_.pairs.blocks.place_of_slice[slice]); }
 
-  NeighborSums<D> sum_neighbors(int slice) {
+  NeighborSums<D> sum_neighbors(int slice, const SliceVolumes& volumes) {
     NeighborSums<D> sums;
-    const Pack R = radius(slice);
     if constexpr (!Correction::radial)
-      sums.shepard = Pack::load(source_.particles.volume.data() + lanes * slice) * Kernel::template value<D>(Pack(0.0), R);
-    const bool listed = source_.lattice.of_slice[slice] == LatticePatterns<D>::none;
+      sums.shepard = Pack::load_unaligned(volumes.data()) * Kernel::template value<D>(Pack(0.0), radius(slice));
+    const bool listed = source_.pairs.listed(slice);
     const bool central = options_.hourglass == HourglassWeight::central;
-    for_each_neighbor(slice, [&](std::size_t entry, const Vec<Pack, D>& X, const Pack& V) {
+    for_each_neighbor(slice, [&](std::size_t entry, const Vec<Pack, D>& X, const Pack& V, const Pack& R) {
       RadialWeight<Pack, true> w = radial_weight<Kernel, true>(X, V, R);
       if (Correction::radial && listed) keep(entry, w);
       const Pack r2 = dot(X, X);
@@ -136,9 +159,8 @@ class SliceWeights {
 
   /// g_ij = L (scale a_ij X_ij) - W_ij shift, times V_j; and the hourglass weights.
   void store_vectors(int slice, const Mat<Pack, D>& L, const Pack& scale, const Vec<Pack, D>& shift) {
-    const Pack R = radius(slice);
     store(Mat<Pack, D>::identity(), slice);
-    for_each_neighbor(slice, [&](std::size_t entry, const Vec<Pack, D>& X, const Pack& V) {
+    for_each_neighbor(slice, [&](std::size_t entry, const Vec<Pack, D>& X, const Pack& V, const Pack& R) {
       const RadialWeight<Pack, true> w = radial_weight<Kernel, true>(X, V, R);
       const Pack r2 = dot(X, X);
       const Pack VW = select(r2 > Pack(0.0), V * Kernel::template value<D>(sqrt(r2), R), Pack(0.0));
@@ -158,9 +180,8 @@ class SliceWeights {
   }
 
   /// The other constants of one particle.
-  void finish(int slice, int k, const NeighborSums<D>& sums) {
+  void finish(int slice, int k, double volume, const NeighborSums<D>& sums) {
     SliceConstants<D>& own = constants(slice);
-    const double volume = source_.particles.volume[lanes * slice + k];
     const double size = std::pow(volume, 1.0 / D);
     double trace = 0.0;
     for (int i = 0; i < D; ++i) trace += sums.moment[i][i][k];
@@ -175,6 +196,7 @@ class SliceWeights {
   const PairSource<D>& source_;
   const WeightOptions& options_;
   const Correction& correction_;
+  const BlockReference<D>* reference_;
   PairWeights<D>& w_;
   double most_stiffness_ = 0.0;
 };

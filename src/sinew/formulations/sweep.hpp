@@ -1,5 +1,5 @@
 #pragma once
-/// The one sweep over the particles of a chunk. The loops over pairs are in neighbors/, the physics of a point in pair_force.hpp and in the materials.
+/// The one sweep over the particles of a block. The loops over pairs are in neighbors/, the physics of a point in pair_force.hpp and in the materials.
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@
 
 namespace sinew {
 
-/// Sums and extremes over the slices of a chunk, lane by lane.
+/// Sums and extremes over the slices of a block, lane by lane.
 struct SweepSums {
   Pack energy{0.0}, hourglass_energy{0.0}, jacobian{infinity}, stiffness_rate{0.0};
 
@@ -20,17 +20,20 @@ struct SweepSums {
   }
 };
 
-/// Keeps what `record` asks for, lane after lane.
+/// Keeps what `record` asks for, lane after lane of a slice.
 template <int D, class Pairs>
-void keep(RecordedState& state, int slice, const Mat<Pack, D>& F, const PointResponse<D>& point, const Pairs& pairs) {
+void keep(const SweepTask<D>& task, int slice, const Mat<Pack, D>& F, const PointResponse<D>& point, const Pairs& pairs) {
   Pack error2(0.0);
   pairs.visit([&](const auto& weight, const Vec<Pack, D>& u, const Vec<Pack, D>& X) {
     const Vec<Pack, D> e = F * X - (X + u);
     error2 = max(error2, select(weight.present(), dot(e, e) / (dot(X, X) + 1e-200), Pack(0.0)));
   });
+  RecordedState& state = *task.record;
+  const int* slots = task.source.pairs.blocks.slots_of(task.block) + task.source.pairs.blocks.place_of_slice[slice];
   const Mat3<Pack> F3 = embed(F, point.thickness_stretch), P3 = embed(point.P, point.thickness_stress);
   for (int k = 0; k < lanes; ++k) {
-    const std::size_t slot = std::size_t(lanes) * slice + k;
+    if (slots[k] < task.block.begin || slots[k] >= task.block.end) continue;
+    const auto slot = static_cast<std::size_t>(slots[k]);
     for (int c = 0; c < 9; ++c) {
       state.deformation_gradient[9 * slot + c] = F3[c / 3][c % 3][k];
       state.stress[9 * slot + c] = P3[c / 3][c % 3][k];
@@ -91,33 +94,33 @@ void sweep_slices(const SweepTask<D>& task, Pairs pairs, int begin, int end, Swe
     for (int k = 0; k < count; ++k) {
       pairs.enter(first + k);
       give_forces<D, Shares>(task, constants(first + k), pairs, slices[k], sums);
-      if (task.record) keep(*task.record, first + k, slices[k].F, slices[k].point, pairs);
+      if (task.record) keep(task, first + k, slices[k].F, slices[k].point, pairs);
     }
   }
 }
 
-/// Sweeps a chunk with weights from `listed` and from the bonds of the lattice, each run of slices its own way.
+/// Sweeps a block with weights from `listed` and from the bonds of the lattice, each run of slices its own way.
 template <int D, class Shares, class Weights>
 ForceSummary sweep_runs(const SweepTask<D>& task, const Weights& listed) {
   SweepSums sums;
-  const std::vector<int>& pattern = task.source.lattice.of_slice;
-  const int stream = task.chunk.stream;
-  for (int begin = task.chunk.first_slice, end; begin < task.chunk.end_slice; begin = end) {
-    const bool regular = pattern[begin] != LatticePatterns<D>::none;
-    for (end = begin + 1; end < task.chunk.end_slice && (pattern[end] != LatticePatterns<D>::none) == regular;) ++end;
-    if (!regular) {
-      const ListedPairsData<D> data{task.source.list, task.place_rows, task.forces.rows[stream].data(), task.kept};
+  const BlockPairs<D>& pairs = task.source.pairs;
+  BlockScratch<D>& scratch = task.scratch;
+  for (int begin = task.block.first_slice, end; begin < task.block.end_slice; begin = end) {
+    for (end = begin + 1; end < task.block.end_slice && pairs.listed(end) == pairs.listed(begin);) ++end;
+    if (pairs.listed(begin)) {
+      const ListedPairsData<D> data{pairs, scratch.place_rows(), scratch.force_rows(), scratch.kept()};
       sweep_slices<D, Shares>(task, ListedPairs<D, Weights>(data, listed), begin, end, sums);
     } else if constexpr (Weights::radial) {
       using Bonds = BondWeights<D, Shares::hourglass_weights>;
-      const LatticePairsData<D> data{task.source.lattice, task.source.particles.displacement, task.forces.fields[stream]};
+      LatticePairsData<D> data{pairs, {}, {}};
+      for (int c = 0; c < D; ++c) data.displacement[c] = scratch.displacement(c), data.forces[c] = scratch.forces(c);
       sweep_slices<D, Shares>(task, LatticePairs<D, Bonds>(data, {task.weights.bonds.data()}), begin, end, sums);
     }
   }
   return sums.total(task.density);
 }
 
-/// Chooses by how weights are kept. One choice a chunk, outside of all loops.
+/// Chooses by how weights are kept. One choice a block, outside of all loops.
 template <int D, class Shares>
 ForceSummary sweep_with(const SweepTask<D>& task) {
   constexpr bool hourglass = Shares::hourglass_weights;
@@ -129,8 +132,7 @@ ForceSummary sweep_with(const SweepTask<D>& task) {
     case WeightStorage::computed:
       return std::visit(
           [&]<class Kernel>(const Kernel&) {
-            return sweep_runs<D, Shares>(
-                task, ComputedWeights<Kernel, hourglass>{task.source.particles.volume.data(), w.radius.data()});
+            return sweep_runs<D, Shares>(task, ComputedWeights<Kernel, hourglass>{task.scratch.volume(), task.scratch.radius()});
           },
           task.options.kernel);
     default:

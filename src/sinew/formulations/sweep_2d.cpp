@@ -3,7 +3,7 @@
 namespace sinew {
 
 template <>
-ForceSummary sweep_chunk<2>(const SweepTask<2>& task) {
+ForceSummary sweep_block<2>(const SweepTask<2>& task) {
   return choose_sweep(task);
 }
 

@@ -3,7 +3,7 @@
 namespace sinew {
 
 template <>
-ForceSummary sweep_chunk<3>(const SweepTask<3>& task) {
+ForceSummary sweep_block<3>(const SweepTask<3>& task) {
   return choose_sweep(task);
 }
 

@@ -1,6 +1,5 @@
 #include <sinew/formulations/sweep_dispatch.hpp>
 #include <sinew/formulations/total_lagrangian.hpp>
-#include <sinew/neighbors/listed_pairs.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -35,29 +34,20 @@ template <int D>
 TotalLagrangian<D>::TotalLagrangian(const Particles<D>& particles, const std::vector<double>& support_radius,
                                     TotalLagrangianOptions options)
     : options_(std::move(options)),
-      slots_(particles.slots),
-      list_(build_pair_list(particles, support_radius)),
-      chunks_(make_chunks(particles, list_)),
-      countdown_(chunks_) {
-  lattice_ = options_.lattice && weight_options().radial() ? find_lattice_patterns(particles, list_, support_radius)
-                                                           : no_lattice_patterns(particles);
-  drop_lattice_slices(list_, lattice_);
+      pairs_(make_block_pairs(particles, build_pair_list(particles, support_radius), support_radius,
+                              options_.lattice && weight_options().radial())),
+      countdown_(pairs_.blocks),
+      summaries_(pairs_.blocks.all.size()),
+      spilled_(pairs_.blocks.ghosts) {
   choose_weights();
-  weights_ = make_pair_weights<D>({particles, list_, lattice_}, support_radius, weight_options());
-  chunk_summaries_.resize(chunks_.size());
-  if (list_.entries() > 0) {
-    place_rows_ = AlignedArray<double>(std::size_t(place_width<D>) * slots_);
-    for (int slot = 0; slot < slots_; ++slot)
-      for (int c = 0; c < D; ++c)
-        place_rows_[std::size_t(place_width<D>) * slot + vector_width<D> + c] = particles.position.at(c, slot);
-  }
+  weights_ = make_pair_weights<D>({particles, pairs_}, support_radius, weight_options());
   if (options_.hourglass) hourglass_time_step_ = hourglass_limit(particles, weights_, options_);
 }
 
 template <int D>
 void TotalLagrangian<D>::choose_weights() {
   const WeightOptions options = weight_options();
-  const std::size_t bytes = list_.entries() * lanes * sizeof(double) * (options.hourglass_weights() ? 2 : 1);
+  const std::size_t bytes = pairs_.entries() * lanes * sizeof(double) * (options.hourglass_weights() ? 2 : 1);
   if (!options.radial())
     options_.weights = WeightStorage::stored;
   else if (options.storage == WeightStorage::automatic)
@@ -72,47 +62,38 @@ WeightOptions TotalLagrangian<D>::weight_options() const {
   return {options_.kernel, options_.correction, hourglass, options_.weights};
 }
 
+/// Room for every thread; only the first call and more threads allocate.
 template <int D>
-ForceStreams<D> TotalLagrangian<D>::make_streams() const {
-  return ForceStreams<D>(slots_, list_.entries() > 0 || lattice_.slices() == 0, lattice_.slices() > 0);
-}
-
-/// Copies the displacements to the rows, and sees to it that every thread has room; only the first call and more threads allocate.
-template <int D>
-void TotalLagrangian<D>::prepare_scratch(const Particles<D>& particles) const {
-  if (list_.entries() == 0) return;
-  const std::size_t threads = most_threads();
-  std::size_t longest = 0;
-  for (int s = 0; kept_.size() < threads && s < list_.slices(); ++s)
-    longest = std::max(longest, list_.first_entry[s + 1] - list_.first_entry[s]);
-  while (kept_.size() < threads) kept_.emplace_back(longest * numbers_kept<D> * lanes);
-  for_each_piece(slots_, [&](int begin, int end) {
-    for (int c = 0; c < D; ++c) {
-      const double* u = particles.displacement.component(c);
-      double* row = place_rows_.data() + c;
-      for (int slot = begin; slot < end; ++slot) row[std::size_t(place_width<D>) * slot] = u[slot];
-    }
-  });
+void TotalLagrangian<D>::prepare_scratch() const {
+  while (scratches_.size() < most_threads()) scratches_.emplace_back(pairs_);
 }
 
 template <int D>
-ForceSummary TotalLagrangian<D>::sweep(const Particles<D>& particles, ForceStreams<D>& forces, RecordedState* record,
-                                       Finish finish) const {
-  prepare_scratch(particles);
-  const PairSource<D> source{particles, list_, lattice_};
-  const WeightOptions weights = weight_options();
-  const auto work = [&](const Chunk& chunk, int number) {
-    const AnyMaterial& material = options_.materials[chunk.body];
-    const double hourglass = options_.hourglass ? options_.hourglass->coefficient() * youngs_modulus_of(material) : 0.0;
-    double* kept = kept_.empty() ? nullptr : kept_[this_thread()].data();
-    chunk_summaries_[number] =
-        sweep_chunk<D>({chunk, source, weights_, weights, material_point<D>(material, options_.plane_stress), options_.thickness,
-                        density_of(material), hourglass, place_rows_.data(), kept, forces, record});
-  };
-  for_each_chunk(chunks_, countdown_, work,
-                 [&](const Chunk& chunk) { finish(lanes * chunk.first_slice, lanes * chunk.end_slice); });
+SweepTask<D> TotalLagrangian<D>::task_of(int number, const PairSource<D>& source, const WeightOptions& weights,
+                                         RecordedState* record) const {
+  const Block& block = pairs_.blocks.all[number];
+  BlockScratch<D>& scratch = scratches_[this_thread()];
+  scratch.bring_in(block, source.particles);
+  if (block.has_list && options_.weights == WeightStorage::computed)
+    scratch.bring_in_sizes(block, source.particles, weights_.radius.data());
+  const AnyMaterial& material = options_.materials[block.body];
+  const double hourglass = options_.hourglass ? options_.hourglass->coefficient() * youngs_modulus_of(material) : 0.0;
+  return {block,
+          source,
+          weights_,
+          weights,
+          material_point<D>(material, options_.plane_stress),
+          options_.thickness,
+          density_of(material),
+          hourglass,
+          scratch,
+          record};
+}
+
+template <int D>
+ForceSummary TotalLagrangian<D>::total() const {
   ForceSummary total;
-  for (const ForceSummary& part : chunk_summaries_) {
+  for (const ForceSummary& part : summaries_) {
     total.strain_energy += part.strain_energy;
     total.hourglass_energy += part.hourglass_energy;
     total.smallest_jacobian = std::min(total.smallest_jacobian, part.smallest_jacobian);
@@ -122,11 +103,51 @@ ForceSummary TotalLagrangian<D>::sweep(const Particles<D>& particles, ForceStrea
 }
 
 template <int D>
+ForceSummary TotalLagrangian<D>::internal_forces(const Particles<D>& particles, VectorField<D>& forces, Finish finish) const {
+  prepare_scratch();
+  const PairSource<D> source{particles, pairs_};
+  const WeightOptions weights = weight_options();
+  for_each_block(
+      pairs_.blocks, countdown_,
+      [&](int number) {
+        const SweepTask<D> task = task_of(number, source, weights, nullptr);
+        summaries_[number] = sweep_block<D>(task);
+        task.scratch.hand_out(task.block, forces, spilled_);
+      },
+      [&](int number) {
+        add_spilled(pairs_.blocks, number, spilled_, forces);
+        finish(pairs_.blocks.all[number].begin, pairs_.blocks.all[number].end);
+      });
+  return total();
+}
+
+template <int D>
+ForceSummary TotalLagrangian<D>::internal_forces(const Particles<D>& particles, VectorField<D>& forces) const {
+  return internal_forces(particles, forces, [](int, int) {});
+}
+
+template <int D>
+ForceSummary TotalLagrangian<D>::record(const Particles<D>& particles, RecordedState& state) const {
+  prepare_scratch();
+  const PairSource<D> source{particles, pairs_};
+  const WeightOptions weights = weight_options();
+  for_each_block(
+      pairs_.blocks, countdown_,
+      [&](int number) {
+        const SweepTask<D> task = task_of(number, source, weights, &state);
+        summaries_[number] = sweep_block<D>(task);
+        task.scratch.discard(task.block);
+      },
+      [](int) {});
+  return total();
+}
+
+template <int D>
 Vec<double, D> TotalLagrangian<D>::toward_neighbors(const Particles<D>& particles, int slot) const {
   Vec<double, D> sum;
   std::visit(
       [&]<class Kernel>(const Kernel&) {
-        for (int j : neighbors(slot)) {
+        for (int j : pairs_.neighbors(slot, particles)) {
           const Vec<double, D> X = particles.position[j] - particles.position[slot];
           sum += radial_weight<Kernel, false>(X, particles.volume[j], weights_.radius[slot]).gradient * X;
         }
@@ -137,23 +158,7 @@ Vec<double, D> TotalLagrangian<D>::toward_neighbors(const Particles<D>& particle
 
 template <int D>
 std::size_t TotalLagrangian<D>::bytes() const {
-  return list_.bytes() + lattice_.bytes() + weights_.bytes() + place_rows_.bytes();
-}
-
-template <int D>
-ForceSummary TotalLagrangian<D>::internal_forces(const Particles<D>& particles, ForceStreams<D>& forces) const {
-  return sweep(particles, forces, nullptr, [](int, int) {});
-}
-
-template <int D>
-ForceSummary TotalLagrangian<D>::internal_forces(const Particles<D>& particles, ForceStreams<D>& forces, Finish finish) const {
-  return sweep(particles, forces, nullptr, finish);
-}
-
-template <int D>
-ForceSummary TotalLagrangian<D>::record(const Particles<D>& particles, RecordedState& state) const {
-  if (!unused_forces_) unused_forces_ = std::make_unique<ForceStreams<D>>(make_streams());
-  return sweep(particles, *unused_forces_, &state, [&](int begin, int end) { unused_forces_->clear(begin, end); });
+  return pairs_.bytes() + weights_.bytes() + spilled_.bytes();
 }
 
 template class TotalLagrangian<2>;

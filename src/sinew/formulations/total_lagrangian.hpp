@@ -5,14 +5,15 @@
 ///     f_i = sum_j V_i V_j (P_i g_ij - P_j g_ji) + hourglass forces     Ganzenmueller (2015), eq. 24 and 32
 ///
 /// The force is minus the gradient of sum V_i psi(F_i). It is summed in scatter form: particle i, right after its own F_i and P_i are
-/// known, adds t_ij = V_i V_j P_i g_ij to itself and subtracts it from j. So one sweep needs no stress of a neighbor, and radii may differ.
+/// known, adds t_ij = V_i V_j P_i g_ij to itself and subtracts it from j. So one sweep needs no stress of a neighbor, and radii may differ. Block by
+/// block: each adds up in places of its own, see neighbors/blocks.hpp.
 
 #include <memory>
 #include <optional>
 #include <sinew/core/function_ref.hpp>
 #include <sinew/formulations/material_point.hpp>
 #include <sinew/formulations/pair_weights.hpp>
-#include <sinew/neighbors/chunks.hpp>
+#include <sinew/neighbors/block_scratch.hpp>
 #include <sinew/stabilization/registry.hpp>
 
 namespace sinew {
@@ -50,18 +51,19 @@ struct TotalLagrangianOptions {
 };
 
 template <int D>
+struct SweepTask;
+
+template <int D>
 class TotalLagrangian {
  public:
   /// `support_radius`: per slot. The particles stay with the caller; only their reference configuration is used here.
   TotalLagrangian(const Particles<D>& particles, const std::vector<double>& support_radius, TotalLagrangianOptions options);
 
-  /// Room for the pair forces, zeros.
-  ForceStreams<D> make_streams() const;
   /// Called with slots [begin, end) whose forces are complete, as soon as they are, from any thread.
   using Finish = FunctionRef<void(int begin, int end)>;
-  /// Adds the pair forces of the current displacements to the streams.
-  ForceSummary internal_forces(const Particles<D>& particles, ForceStreams<D>& forces, Finish finish) const;
-  ForceSummary internal_forces(const Particles<D>& particles, ForceStreams<D>& forces) const;
+  /// Adds the pair forces of the current displacements to `forces`.
+  ForceSummary internal_forces(const Particles<D>& particles, VectorField<D>& forces, Finish finish) const;
+  ForceSummary internal_forces(const Particles<D>& particles, VectorField<D>& forces) const;
   /// The same sweep, keeping F, P and energies of every particle.
   ForceSummary record(const Particles<D>& particles, RecordedState& state) const;
 
@@ -69,32 +71,27 @@ class TotalLagrangian {
   double hourglass_time_step() const { return hourglass_time_step_; }
   /// sum_j V_j |dW/dr| / r X_ij: points from a particle to its neighbors [1/length].
   Vec<double, D> toward_neighbors(const Particles<D>& particles, int slot) const;
-  std::vector<int> neighbors(int slot) const { return neighbors_of(slot, list_, lattice_); }
-  const PairList& pairs() const { return list_; }  ///< of slices without a lattice pattern; the counts are complete
-  const LatticePatterns<D>& lattice() const { return lattice_; }
-  const std::vector<Chunk>& chunks() const { return chunks_; }
+  const BlockPairs<D>& pairs() const { return pairs_; }
+  const LatticePatterns<D>& lattice() const { return pairs_.lattice; }
   const TotalLagrangianOptions& options() const { return options_; }
   std::size_t bytes() const;
 
  private:
-  ForceSummary sweep(const Particles<D>& particles, ForceStreams<D>& forces, RecordedState* record, Finish finish) const;
+  SweepTask<D> task_of(int number, const PairSource<D>& source, const WeightOptions& weights, RecordedState* record) const;
+  ForceSummary total() const;
 
   WeightOptions weight_options() const;
   void choose_weights();
-  void prepare_scratch(const Particles<D>& particles) const;
+  void prepare_scratch() const;
 
   TotalLagrangianOptions options_;
-  int slots_;
-  PairList list_;
-  std::vector<Chunk> chunks_;
-  mutable ChunkCountdown countdown_;
-  LatticePatterns<D> lattice_;
+  BlockPairs<D> pairs_;
+  mutable BlockCountdown countdown_;
   PairWeights<D> weights_;
   double hourglass_time_step_ = infinity;
-  mutable std::vector<ForceSummary> chunk_summaries_;       ///< scratch, one a chunk
-  mutable AlignedArray<double> place_rows_;                 ///< scratch: {u, X} of all particles, if any slice has a pair list
-  mutable std::vector<AlignedArray<double>> kept_;          ///< scratch, one a thread: the pairs of a slice
-  mutable std::unique_ptr<ForceStreams<D>> unused_forces_;  ///< scratch of `record`
+  mutable std::vector<ForceSummary> summaries_;     ///< scratch, one a block
+  mutable VectorField<D> spilled_;                  ///< scratch: forces on ghosts
+  mutable std::vector<BlockScratch<D>> scratches_;  ///< one a thread
 };
 
 extern template class TotalLagrangian<2>;

@@ -14,7 +14,7 @@ struct StoredWeights {
   const Scalar* hourglass;
 
   using Shared = int;
-  SINEW_INLINE int of_slice(int slice) const { return slice; }
+  SINEW_INLINE int of_slice(int place) const { return place; }
   SINEW_INLINE void prefetch(std::size_t entry) const {
     __builtin_prefetch(gradient + lanes * entry, 0, 0);
     if constexpr (with_hourglass) __builtin_prefetch(hourglass + lanes * entry, 0, 0);
@@ -25,7 +25,7 @@ struct StoredWeights {
     return w;
   }
   template <int D>
-  SINEW_INLINE Weight at(std::size_t entry, const int*, const Vec<Pack, D>&, int) const {
+  SINEW_INLINE Weight at(std::size_t entry, const PlaceIndex*, const Vec<Pack, D>&, int) const {
     return stored(entry);
   }
 };
@@ -35,14 +35,14 @@ template <class Kernel, bool with_hourglass>
 struct ComputedWeights {
   using Weight = RadialWeight<Pack, with_hourglass>;
   static constexpr bool computed = true, radial = true;
-  const double* volume;
+  const double* volume;  ///< by place
   const double* radius;
 
   using Shared = Pack;
   SINEW_INLINE void prefetch(std::size_t) const {}
-  SINEW_INLINE Pack of_slice(int slice) const { return Pack::load(radius + lanes * slice); }
+  SINEW_INLINE Pack of_slice(int place) const { return Pack::load(radius + place); }
   template <int D>
-  SINEW_INLINE Weight at(std::size_t, const int* index, const Vec<Pack, D>& X, const Pack& R) const {
+  SINEW_INLINE Weight at(std::size_t, const PlaceIndex* index, const Vec<Pack, D>& X, const Pack& R) const {
     return radial_weight<Kernel, with_hourglass>(X, Pack::gather(volume, index), R);
   }
 };
@@ -57,14 +57,14 @@ struct StoredVectors {
   SINEW_INLINE void prefetch(std::size_t) const {}
 
   using Shared = int;
-  SINEW_INLINE int of_slice(int slice) const { return slice; }
+  SINEW_INLINE int of_slice(int place) const { return place; }
   SINEW_INLINE Weight stored(std::size_t entry) const {
     Weight w;
     for (int c = 0; c < D; ++c) w.gradient[c] = Pack::load(gradient + lanes * (D * entry + c));
     w.hourglass = hourglass ? Pack::load(hourglass + lanes * entry) : Pack(0.0);
     return w;
   }
-  SINEW_INLINE Weight at(std::size_t entry, const int*, const Vec<Pack, D>&, int) const { return stored(entry); }
+  SINEW_INLINE Weight at(std::size_t entry, const PlaceIndex*, const Vec<Pack, D>&, int) const { return stored(entry); }
 };
 
 /// Of a lattice.

@@ -20,7 +20,7 @@ struct ModelFacts {
   std::string time_step_limit;  ///< "wave speed" or "hourglass stiffness" or "fixed"
   std::size_t memory_bytes = 0;
   double bytes_per_particle = 0.0;
-  int chunks = 0;
+  int blocks = 0;
   double lattice_share = 0.0;  ///< part of the slices of eight particles that go without a pair list
   int lattice_patterns = 0;
   std::string pair_weights;  ///< of the others: "stored", "single" or "computed"

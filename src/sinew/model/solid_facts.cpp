@@ -32,7 +32,7 @@ ModelFacts::Body facts_of(const BodyRange& range, const BodyCase& c, const Parti
 
 template <int D>
 void SolidSimulation<D>::collect_facts(const std::vector<GeneratedBody>& bodies, double setup_seconds) {
-  const PairList& list = solid_.pairs();
+  const BlockPairs<D>& list = solid_.pairs();
   facts_.particles = particles_.count;
   facts_.pairs = static_cast<long>(list.pairs);
   facts_.neighbors_min = list.neighbor_count[particles_.slot_of.front()];
@@ -45,10 +45,8 @@ void SolidSimulation<D>::collect_facts(const std::vector<GeneratedBody>& bodies,
   facts_.time_step_limit = step_size_.limit(summary_);
   facts_.memory_bytes = particles_.bytes() + solid_.bytes() + forces_.bytes();
   facts_.bytes_per_particle = static_cast<double>(facts_.memory_bytes) / particles_.count;
-  facts_.chunks = static_cast<int>(solid_.chunks().size());
-  int slices = 0;
-  for (const BodyRange& body : particles_.bodies) slices += (body.end - body.begin) / lanes;
-  facts_.lattice_share = static_cast<double>(solid_.lattice().slices()) / slices;
+  facts_.blocks = list.blocks.count();
+  facts_.lattice_share = static_cast<double>(solid_.lattice().slices()) / list.blocks.slices();
   facts_.lattice_patterns = static_cast<int>(solid_.lattice().patterns.size());
   facts_.pair_weights = name_of(solid_.options().weights);
   facts_.setup_seconds = setup_seconds;

@@ -59,7 +59,7 @@ SolidSimulation<D>::SolidSimulation(const Case& c, const std::vector<GeneratedBo
       particles_(particles_of<D>(c, bodies)),
       regions_(select_regions(c, bodies, particles_)),
       solid_(particles_, support_radii(c, particles_), options_of(c)),
-      forces_(solid_.make_streams()),
+      forces_(particles_.slots),
       motion_(make_prescribed_motion(c, regions_, particles_, facts_.warnings)),
       loads_(make_loads(c, regions_, particles_, solid_, facts_.warnings)),
       gravity_(constant_body_force<D>(c)),

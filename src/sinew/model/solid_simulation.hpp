@@ -50,7 +50,7 @@ class SolidSimulation final : public Simulation {
   Particles<D> particles_;
   Regions regions_;
   TotalLagrangian<D> solid_;
-  ForceStreams<D> forces_;
+  VectorField<D> forces_;
   PrescribedMotion<D> motion_;
   Loads<D> loads_;
   Vec<double, D> gravity_;  ///< body force that is the same everywhere and always [length/time^2]

@@ -22,7 +22,7 @@ void CellList::sort(std::span<const Point> points, const AlignedArray<std::uint6
   for (int i = 1; i < count && keeps_order_; ++i)
     keeps_order_ = row[i - 1] < row[i] || (row[i - 1] == row[i] && points[i - 1][along] <= points[i][along]);
   if (!keeps_order_) {
-    const std::vector<int> order = computing_order(points, grid_.spacing, 3);
+    const std::vector<int> order = row_order(points, grid_.spacing, 3);
     number_ = place_ = AlignedArray<int>(points.size());
     for (int place = 0; place < count; ++place) {
       number_[place] = order[place];

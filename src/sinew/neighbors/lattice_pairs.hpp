@@ -2,16 +2,16 @@
 /// The loops over pairs of a slice that has a lattice pattern, eight particles at once. A neighbor of eight particles is one unaligned load, its X
 /// and weight are constants of the bond, and a pair shares work with its mirror image.
 
-#include <sinew/neighbors/lattice_patterns.hpp>
+#include <sinew/neighbors/block_pairs.hpp>
 
 namespace sinew {
 
 /// What the loops read and write.
 template <int D>
 struct LatticePairsData {
-  const LatticePatterns<D>& lattice;
-  const VectorField<D>& displacement;
-  VectorField<D>& forces;  ///< one stream
+  const BlockPairs<D>& pairs;
+  const double* displacement[D];  ///< by place
+  double* forces[D];              ///< by place
 };
 
 /// One slice at a time, with the same members as ListedPairs. `Weights`: weights.of(bond) gives the weight of the bond.
@@ -23,21 +23,22 @@ class LatticePairs {
 
   SINEW_INLINE LatticePairs(const LatticePairsData<D>& data, const Weights& weights)
       : weights_(weights),
-        patterns_(data.lattice.patterns.data()),
-        of_slice_(data.lattice.of_slice.data()),
-        mirrored_(data.lattice.mirrored.data()),
-        single_(data.lattice.single.data()),
-        bonds_(data.lattice.bonds.data()) {
+        patterns_(data.pairs.lattice.patterns.data()),
+        of_slice_(data.pairs.lattice.of_slice.data()),
+        place_of_slice_(data.pairs.blocks.place_of_slice.data()),
+        mirrored_(data.pairs.lattice.mirrored.data()),
+        single_(data.pairs.lattice.single.data()),
+        bonds_(data.pairs.lattice.bonds.data()) {
     for (int c = 0; c < D; ++c) {
-      u_[c] = data.displacement.component(c);
-      f_[c] = data.forces.component(c);
+      u_[c] = data.displacement[c];
+      f_[c] = data.forces[c];
     }
   }
 
   SINEW_INLINE void enter(int slice) {
     pattern_ = patterns_[of_slice_[slice]];
-    slot_ = lanes * slice;
-    for (int c = 0; c < D; ++c) own_[c] = Pack::load(u_[c] + slot_);
+    place_ = place_of_slice_[slice];
+    for (int c = 0; c < D; ++c) own_[c] = Pack::load(u_[c] + place_);
   }
 
   /// use(weight, u, X), linear in u and odd in X: for a pair and its mirror image it is called once, with the difference of both u.
@@ -91,7 +92,7 @@ class LatticePairs {
  private:
   SINEW_INLINE Vec<Pack, D> at(int offset) const {
     Vec<Pack, D> u;
-    for (int c = 0; c < D; ++c) u[c] = Pack::load_unaligned(u_[c] + slot_ + offset);
+    for (int c = 0; c < D; ++c) u[c] = Pack::load_unaligned(u_[c] + place_ + offset);
     return u;
   }
   SINEW_INLINE Vec<Pack, D> bond_vector(int bond) const {
@@ -104,7 +105,7 @@ class LatticePairs {
   }
   SINEW_INLINE void subtract(int offset, const Vec<Pack, D>& t) const {
     for (int c = 0; c < D; ++c) {
-      double* f = f_[c] + slot_ + offset;
+      double* f = f_[c] + place_ + offset;
       (Pack::load_unaligned(f) - t[c]).store_unaligned(f);
     }
   }
@@ -112,13 +113,14 @@ class LatticePairs {
   const Weights weights_;
   const LatticePattern* patterns_;
   const int* of_slice_;
+  const int* place_of_slice_;
   const MirrorPair* mirrored_;
   const SinglePair* single_;
   const Bond<D>* bonds_;
   const double* u_[D];
   double* f_[D];
   LatticePattern pattern_;
-  std::ptrdiff_t slot_ = 0;
+  std::ptrdiff_t place_ = 0;
   Vec<Pack, D> own_;
 };
 

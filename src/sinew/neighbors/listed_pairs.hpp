@@ -1,25 +1,25 @@
 #pragma once
 /// The loops over pairs of a slice that has a pair list, eight particles at once. Physics comes in as functions of one (vector of a) pair.
 
-#include <sinew/neighbors/pair_list.hpp>
+#include <sinew/neighbors/block_pairs.hpp>
 #include <sinew/particles/rows.hpp>
 
 namespace sinew {
 
-/// The slots of a slice.
-struct OwnSlots {
-  int slot[lanes];
-  explicit SINEW_INLINE OwnSlots(int slice) {
-    for (int k = 0; k < lanes; ++k) slot[k] = lanes * slice + k;
+/// The places of a slice.
+struct OwnPlaces {
+  int place[lanes];
+  explicit SINEW_INLINE OwnPlaces(int first) {
+    for (int k = 0; k < lanes; ++k) place[k] = first + k;
   }
 };
 
 /// What the loops read and write, for one thread.
 template <int D>
 struct ListedPairsData {
-  const PairList& list;
-  const double* place_rows;  ///< {u, X} of all particles
-  double* force_rows;        ///< one stream
+  const BlockPairs<D>& pairs;
+  const double* place_rows;  ///< {u, X} by place
+  double* force_rows;        ///< by place
   double* kept;              ///< room for the pairs of a slice, numbers_kept<D> packs each
 };
 
@@ -39,19 +39,19 @@ class ListedPairs {
   SINEW_INLINE ListedPairs(const ListedPairsData<D>& data, const Weights& weights) : data_(data), weights_(weights) {}
 
   SINEW_INLINE void enter(int slice) {
-    slice_ = slice;
-    begin_ = data_.list.first_entry[slice];
-    end_ = data_.list.first_entry[slice + 1];
+    place_ = data_.pairs.blocks.place_of_slice[slice];
+    begin_ = data_.pairs.first_entry[slice];
+    end_ = data_.pairs.first_entry[slice + 1];
   }
 
   /// use(weight, u_ij, X_ij).
   template <class Use>
   SINEW_INLINE void first_visit(Use&& use) {
-    const PlacePack<D> own = load_places<D>(data_.place_rows, OwnSlots(slice_).slot);
-    const auto shared = weights_.of_slice(slice_);
+    const PlacePack<D> own = load_places<D>(data_.place_rows, OwnPlaces(place_).place);
+    const auto shared = weights_.of_slice(place_);
     double* kept = data_.kept;
     for (std::size_t e = begin_; e < end_; ++e) {
-      const int* index = data_.list.entry(e);
+      const PlaceIndex* index = data_.pairs.entry(e);
       __builtin_prefetch(index + 32 * lanes, 0, 0);
       weights_.prefetch(e + 32);
       const PlacePack<D> other = load_places<D>(data_.place_rows, index);
@@ -82,9 +82,9 @@ class ListedPairs {
     for (std::size_t e = begin_; e < end_; ++e, kept += lanes * width) {
       const Vec<Pack, D> t = share(weight(e, kept), pick(kept), pick(kept + lanes * D));
       total += t;
-      subtract_rows(data_.force_rows, data_.list.entry(e), t);
+      subtract_rows(data_.force_rows, data_.pairs.entry(e), t);
     }
-    subtract_rows(data_.force_rows, OwnSlots(slice_).slot, -total);
+    subtract_rows(data_.force_rows, OwnPlaces(place_).place, -total);
   }
 
  private:
@@ -102,7 +102,7 @@ class ListedPairs {
 
   const ListedPairsData<D>& data_;
   const Weights weights_;
-  int slice_ = 0;
+  int place_ = 0;
   std::size_t begin_ = 0, end_ = 0;
 };
 

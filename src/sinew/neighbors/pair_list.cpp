@@ -1,6 +1,6 @@
 #include <sinew/core/error.hpp>
+#include <sinew/neighbors/threads.hpp>
 #include <sinew/neighbors/body_search.hpp>
-#include <sinew/neighbors/chunks.hpp>
 #include <sinew/neighbors/pair_list.hpp>
 #include <sinew/neighbors/store.hpp>
 
@@ -17,7 +17,7 @@ namespace {
 /// A piece of a body that one thread does, and the neighbors in the form in which they are found: eights, that is, eight sorted
 /// places in a row that hold some of them.
 template <int D>
-struct Block {
+struct Piece {
   const BodySearch<D>* search;
   int begin, end;                       ///< slots
   const int* eights = nullptr;          ///< how many each particle has
@@ -25,7 +25,7 @@ struct Block {
   const std::uint8_t* which = nullptr;  ///< of each eight, bit k: place + k holds a neighbor
 };
 
-constexpr int block_slots = 32 * lanes;  // enough for its overhead, little enough for the caches
+constexpr int piece_slots = 32 * lanes;  // enough for its overhead, little enough for the caches
 
 template <int D>
 std::vector<BodySearch<D>> make_searches(const Particles<D>& particles) {
@@ -36,32 +36,32 @@ std::vector<BodySearch<D>> make_searches(const Particles<D>& particles) {
 }
 
 template <int D>
-std::vector<Block<D>> make_blocks(const std::vector<BodySearch<D>>& searches) {
-  std::vector<Block<D>> blocks;
+std::vector<Piece<D>> make_pieces(const std::vector<BodySearch<D>>& searches) {
+  std::vector<Piece<D>> pieces;
   for (const BodySearch<D>& search : searches)
-    for (int begin = search.body().begin; begin < search.body().end; begin += block_slots)
-      blocks.push_back({&search, begin, std::min(begin + block_slots, search.body().end)});
-  return blocks;
+    for (int begin = search.body().begin; begin < search.body().end; begin += piece_slots)
+      pieces.push_back({&search, begin, std::min(begin + piece_slots, search.body().end)});
+  return pieces;
 }
 
-/// Finds the neighbors of the particles of a block, and counts them. One for each thread; it keeps its memory.
+/// Finds the neighbors of the particles of a piece, and counts them. One for each thread; it keeps its memory.
 template <int D>
 class alignas(64) NeighborFinder {
  public:
-  void find(Block<D>& block, const std::vector<double>& radius, int* count) {
+  void find(Piece<D>& piece, const std::vector<double>& radius, int* count) {
     used_ = 0;
     eights_.clear();
-    for (int slot = block.begin; slot < block.end; slot += lanes) {
-      block.search->find_rows(slot, radius.data() + slot, rows_);
-      for (int k = 0; k < block.search->particles_in(slot); ++k) {
+    for (int slot = piece.begin; slot < piece.end; slot += lanes) {
+      piece.search->find_rows(slot, radius.data() + slot, rows_);
+      for (int k = 0; k < piece.search->particles_in(slot); ++k) {
         const std::size_t before = used_;
-        count[slot + k] = find(*block.search, slot + k, radius[slot + k]);
+        count[slot + k] = find(*piece.search, slot + k, radius[slot + k]);
         eights_.push_back(static_cast<int>(used_ - before));
       }
     }
-    block.eights = store_.keep(eights_, eights_.size());
-    block.place = store_.keep(place_, used_);
-    block.which = store_.keep(which_, used_);
+    piece.eights = store_.keep(eights_, eights_.size());
+    piece.place = store_.keep(place_, used_);
+    piece.which = store_.keep(which_, used_);
   }
 
  private:
@@ -96,22 +96,22 @@ class alignas(64) NeighborFinder {
   Store store_;
 };
 
-/// Writes the entries of a block into the list. One for each thread; it keeps its memory.
+/// Writes the entries of a piece into the list. One for each thread; it keeps its memory.
 template <int D>
 class EntryWriter {
  public:
-  void write(const Block<D>& block, PairList& list) {
-    const int* eights = block.eights;
-    const int* place = block.place;
-    const std::uint8_t* which = block.which;
-    for (int slot = block.begin; slot < block.end; slot += lanes) {
+  void write(const Piece<D>& piece, PairList& list) {
+    const int* eights = piece.eights;
+    const int* place = piece.place;
+    const std::uint8_t* which = piece.which;
+    for (int slot = piece.begin; slot < piece.end; slot += lanes) {
       const std::size_t first = list.first_entry[slot / lanes], longest = list.first_entry[slot / lanes + 1] - first;
       if (row_.size() < longest + lanes) row_.resize(longest + lanes);  // a whole register is written for the last neighbors
       int* out = list.neighbor.data() + lanes * first;
       for (int k = 0; k < lanes; ++k) {
         const int count = list.neighbor_count[slot + k];
-        if (k < block.search->particles_in(slot)) {
-          expand(*block.search, {place, which, *eights}, count);
+        if (k < piece.search->particles_in(slot)) {
+          expand(*piece.search, {place, which, *eights}, count);
           place += *eights;
           which += *eights++;
         }
@@ -145,18 +145,18 @@ class EntryWriter {
   std::vector<int> row_;
 };
 
-/// Finds the radii of a block. One for each thread; it keeps its memory.
+/// Finds the radii of a piece. One for each thread; it keeps its memory.
 template <int D>
 class RadiusFinder {
  public:
   explicit RadiusFinder(int neighbors) : wanted_(neighbors) {}
 
-  void find(const Block<D>& block, std::vector<double>& radius) {
+  void find(const Piece<D>& piece, std::vector<double>& radius) {
     // a little more than the mean volume per particle asks for. Any guess gives the same radii
-    const double first_guess = block.search->body().spacing * (D == 3 ? std::cbrt(0.3 * wanted_) : std::sqrt(0.4 * wanted_));
+    const double first_guess = piece.search->body().spacing * (D == 3 ? std::cbrt(0.3 * wanted_) : std::sqrt(0.4 * wanted_));
     double guess = first_guess;
-    for (int slot = block.begin; slot < block.end; slot += lanes)
-      guess = std::max(0.1 * first_guess, 1.03 * find(*block.search, slot, guess, radius.data() + slot));
+    for (int slot = piece.begin; slot < piece.end; slot += lanes)
+      guess = std::max(0.1 * first_guess, 1.03 * find(*piece.search, slot, guess, radius.data() + slot));
   }
 
  private:
@@ -219,20 +219,20 @@ void count_entries(PairList& list) {
 template <int D>
 PairList build_pair_list(const Particles<D>& particles, const std::vector<double>& support_radius) {
   const std::vector<BodySearch<D>> searches = make_searches(particles);
-  std::vector<Block<D>> blocks = make_blocks(searches);
-  const int count = static_cast<int>(blocks.size());
+  std::vector<Piece<D>> pieces = make_pieces(searches);
+  const int count = static_cast<int>(pieces.size());
   PairList list;
   list.neighbor_count.assign(particles.slots, 0);
   std::vector<NeighborFinder<D>> finders(most_threads());
 #pragma omp parallel for schedule(dynamic, 1) if (particles.slots >= fewest_for_threads)
-  for (int b = 0; b < count; ++b) finders[this_thread()].find(blocks[b], support_radius, list.neighbor_count.data());
+  for (int b = 0; b < count; ++b) finders[this_thread()].find(pieces[b], support_radius, list.neighbor_count.data());
   count_entries(list);
   list.neighbor = AlignedArray<int>(list.entries() * lanes);
 #pragma omp parallel if (particles.slots >= fewest_for_threads)
   {
     EntryWriter<D> writer;
 #pragma omp for schedule(dynamic, 1)
-    for (int b = 0; b < count; ++b) writer.write(blocks[b], list);
+    for (int b = 0; b < count; ++b) writer.write(pieces[b], list);
   }
   return list;
 }
@@ -245,28 +245,16 @@ std::vector<double> radius_of_neighbors(const Particles<D>& particles, double ne
       throw CaseError("body \"" + body.name + "\" has " + std::to_string(body.count) + " particles, too few for neighbors = " +
                       std::to_string(wanted) + " around each. Make its spacing smaller or ask for fewer neighbors.");
   const std::vector<BodySearch<D>> searches = make_searches(particles);
-  const std::vector<Block<D>> blocks = make_blocks(searches);
-  const int count = static_cast<int>(blocks.size());
+  const std::vector<Piece<D>> pieces = make_pieces(searches);
+  const int count = static_cast<int>(pieces.size());
   std::vector<double> radius(particles.slots, 0.0);
 #pragma omp parallel if (particles.slots >= fewest_for_threads)
   {
     RadiusFinder<D> finder(wanted);
 #pragma omp for schedule(dynamic, 1)
-    for (int b = 0; b < count; ++b) finder.find(blocks[b], radius);
+    for (int b = 0; b < count; ++b) finder.find(pieces[b], radius);
   }
   return radius;
-}
-
-int reach(const PairList& list, int begin, int end) {
-  int most = 0;
-  for (int slot = begin; slot < end; ++slot) {
-    const std::size_t first = list.first_entry[slot / lanes];
-    const int count = list.neighbor_count[slot], lane = slot % lanes;
-    if (count == 0 || first == list.first_entry[slot / lanes + 1]) continue;
-    // neighbors ascend
-    most = std::max({most, slot - list.entry(first)[lane], list.entry(first + count - 1)[lane] - slot});
-  }
-  return most;
 }
 
 template PairList build_pair_list<2>(const Particles<2>&, const std::vector<double>&);

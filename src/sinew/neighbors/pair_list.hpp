@@ -29,7 +29,4 @@ PairList build_pair_list(const Particles<D>& particles, const std::vector<double
 template <int D>
 std::vector<double> radius_of_neighbors(const Particles<D>& particles, double neighbors);
 
-/// Largest |i - j| over the pairs of slots [begin, end).
-int reach(const PairList& list, int begin, int end);
-
 }  // namespace sinew

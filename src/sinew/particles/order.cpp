@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 
 namespace sinew {
 
@@ -39,6 +40,65 @@ AlignedArray<Place> sorted_into_buckets(std::span<const Point> points, const Sla
   return places;
 }
 
+/// Cuts a sequence of points, keeping the order on both sides of a cut.
+class Bisection {
+ public:
+  Bisection(std::span<const Point> points, const SlabGrid& grid, int most) : points_(points), grid_(grid), most_(most) {}
+
+  /// `members`: places in the sequence `order`.
+  void cut(std::span<int> members, const std::vector<int>& order, std::vector<int>& block_end) {
+    const std::size_t count = members.size(), blocks = (count + most_ - 1) / most_;
+    if (blocks <= 1) {
+      block_end.push_back(static_cast<int>(count) + (block_end.empty() ? 0 : block_end.back()));
+      return;
+    }
+    const std::size_t wanted = count * (blocks / 2) / blocks;
+    std::size_t left = wanted;
+    const auto [axis, low, high] = longest_axis(members, order);
+    if (high > low) {
+      std::vector<std::size_t> below(high - low + 2, 0);  // members in bins before low + k
+      for (int m : members) ++below[grid_.bin(points_[order[m]], axis) - low + 1];
+      for (std::size_t k = 1; k < below.size(); ++k) below[k] += below[k - 1];
+      std::size_t best = 0;
+      const auto off = [&](std::size_t k) { return below[k] > wanted ? below[k] - wanted : wanted - below[k]; };
+      for (std::size_t k = 0; k < below.size(); ++k)
+        if (off(k) < off(best) || below[best] == 0) best = k;
+      if (below[best] == count)
+        while (below[best] == count) --best;
+      left = below[best];
+      std::stable_partition(members.begin(), members.end(),
+                            [&](int m) { return grid_.bin(points_[order[m]], axis) - low < best; });
+    }
+    cut(members.first(left), order, block_end);
+    cut(members.subspan(left), order, block_end);
+  }
+
+ private:
+  struct Extent {
+    int axis;
+    std::uint64_t low, high;  ///< first and last bin
+  };
+  Extent longest_axis(std::span<const int> members, const std::vector<int>& order) const {
+    Extent longest{0, 0, 0};
+    double most = -1.0;
+    for (int axis : {grid_.slowest, grid_.middle, grid_.fastest}) {
+      if (axis == grid_.middle && grid_.layers == 1) continue;
+      std::uint64_t low = grid_.bin(points_[order[members[0]]], axis), high = low;
+      for (int m : members) {
+        const std::uint64_t bin = grid_.bin(points_[order[m]], axis);
+        low = std::min(low, bin), high = std::max(high, bin);
+      }
+      const double length = static_cast<double>(high - low) * (axis == grid_.fastest ? 0.25 : 1.0);
+      if (length > most) most = length, longest = {axis, low, high};
+    }
+    return longest;
+  }
+
+  std::span<const Point> points_;
+  const SlabGrid& grid_;
+  std::size_t most_;
+};
+
 }  // namespace
 
 SlabGrid::SlabGrid(std::span<const Point> points, double point_spacing, int dimension) : spacing(point_spacing) {
@@ -56,7 +116,7 @@ SlabGrid::SlabGrid(std::span<const Point> points, double point_spacing, int dime
   if (dimension == 3) layers = bin(high, middle) + 1;
 }
 
-std::vector<int> computing_order(std::span<const Point> points, double spacing, int dimension) {
+std::vector<int> row_order(std::span<const Point> points, double spacing, int dimension) {
   std::vector<std::size_t> first;
   AlignedArray<Place> places = sorted_into_buckets(points, SlabGrid(points, spacing, dimension), first);
   for (std::size_t b = 0; b + 1 < first.size(); ++b) {
@@ -65,6 +125,18 @@ std::vector<int> computing_order(std::span<const Point> points, double spacing, 
   }
   std::vector<int> order(points.size());
   std::transform(places.begin(), places.end(), order.begin(), [](const Place& place) { return place.point; });
+  return order;
+}
+
+BlockOrder block_order(std::span<const Point> points, double spacing, int dimension, int most) {
+  const std::vector<int> rows = row_order(points, spacing, dimension);
+  const SlabGrid grid(points, spacing, dimension);
+  BlockOrder order;
+  order.row_place.resize(points.size());
+  std::iota(order.row_place.begin(), order.row_place.end(), 0);
+  if (!points.empty()) Bisection(points, grid, most).cut(order.row_place, rows, order.block_end);
+  order.number.reserve(points.size());
+  for (int place : order.row_place) order.number.push_back(rows[place]);
   return order;
 }
 

@@ -1,7 +1,6 @@
 #pragma once
-/// The computing order of the points of one body: slabs of one spacing along the longest axis, in them rows along the second
-/// longest. Neighbors of consecutive particles are then consecutive, and an index range is a slab: the reach of a pair in the
-/// order is short, which the chunks of the force pass live on.
+/// The computing order of the points of one body: compact blocks, in them slabs of one spacing along the longest axis of the body, in these rows
+/// along the second longest. Neighbors of consecutive particles are then consecutive, and a block has few neighbors outside.
 
 #include <cstdint>
 #include <sinew/core/pack.hpp>
@@ -40,8 +39,19 @@ struct SlabGrid {
   static constexpr double farthest = 2e9;  ///< [spacings] so that a bin is an int, and a row number has room for two
 };
 
-/// Returns the numbers of the points in computing order: by slab, layer, coordinate along the row, and number. Equal for equal
-/// input, whatever the machine or thread count.
-std::vector<int> computing_order(std::span<const Point> points, double spacing, int dimension);
+/// Returns the numbers of the points by slab, layer, coordinate along the row, and number. Equal for equal input, whatever the machine or
+/// thread count.
+std::vector<int> row_order(std::span<const Point> points, double spacing, int dimension);
+
+/// Points in computing order.
+struct BlockOrder {
+  std::vector<int> number;     ///< numbers of the points, block after block, in each by rows
+  std::vector<int> row_place;  ///< of each of these, its place in row_order
+  std::vector<int> block_end;  ///< how many points the blocks up to this one have
+};
+
+/// Halves the points across the longest axis, between two of their slabs, layers or places in rows, until no block has more than `most`. Rows
+/// count a quarter of their length, so that they stay long.
+BlockOrder block_order(std::span<const Point> points, double spacing, int dimension, int most);
 
 }  // namespace sinew

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <sinew/particles/order.hpp>
 #include <sinew/particles/particles.hpp>
 
@@ -25,12 +26,17 @@ int Particles<D>::body_of(int slot) const {
 }
 
 template <int D>
-std::size_t Particles<D>::bytes() const {
-  return position.bytes() + displacement.bytes() + velocity.bytes() + acceleration.bytes() + volume.bytes() + mass.bytes() +
-         (user_index.size() + slot_of.size()) * sizeof(int);
+int Particles<D>::block_of(int slot) const {
+  const auto after =
+      std::upper_bound(blocks.begin(), blocks.end(), slot, [](int s, const BlockRange& block) { return s < block.begin; });
+  return static_cast<int>(after - blocks.begin()) - 1;
 }
 
-constexpr int between_bodies = 2 * lanes;
+template <int D>
+std::size_t Particles<D>::bytes() const {
+  return position.bytes() + displacement.bytes() + velocity.bytes() + acceleration.bytes() + volume.bytes() + mass.bytes() +
+         (user_index.size() + slot_of.size() + row_place.size()) * sizeof(int);
+}
 
 template <int D>
 Particles<D> make_particles(const std::vector<BodyPoints>& bodies, double thickness) {
@@ -39,7 +45,7 @@ Particles<D> make_particles(const std::vector<BodyPoints>& bodies, double thickn
     const int count = static_cast<int>(body.points->size());
     const int padded = (count + lanes - 1) / lanes * lanes;
     p.bodies.push_back({body.name, p.slots, p.slots + padded, count, body.spacing, body.density});
-    p.slots += padded + between_bodies;
+    p.slots += padded;
     p.count += count;
   }
   const auto slots = static_cast<std::size_t>(p.slots);
@@ -47,6 +53,7 @@ Particles<D> make_particles(const std::vector<BodyPoints>& bodies, double thickn
   p.volume = AlignedArray<double>(slots);
   p.mass = AlignedArray<double>(slots);
   p.user_index.assign(slots, -1);
+  p.row_place.assign(slots, 0);
   p.slot_of.reserve(p.count);
 
   for (std::size_t b = 0; b < bodies.size(); ++b) {
@@ -54,15 +61,20 @@ Particles<D> make_particles(const std::vector<BodyPoints>& bodies, double thickn
     const BodyRange& range = p.bodies[b];
     const int first = static_cast<int>(p.slot_of.size());
     p.slot_of.resize(first + range.count);
-    const std::vector<int> order = computing_order(points.position, bodies[b].spacing, D);
+    const BlockOrder order = block_order(points.position, bodies[b].spacing, D, largest_block);
+    for (int begin = 0; const int end : order.block_end) {
+      p.blocks.push_back({static_cast<int>(b), range.begin + begin, range.begin + end});
+      begin = end;
+    }
     for (int slot = range.begin; slot < range.end; ++slot) {
       const bool padding = slot - range.begin >= range.count;
-      const int point = order[padding ? range.count - 1 : slot - range.begin];
+      const int point = order.number[padding ? range.count - 1 : slot - range.begin];
       for (int c = 0; c < D; ++c) p.position.at(c, slot) = points.position[point][c];
       if (padding) continue;
       p.volume[slot] = points.volume[point];
       p.mass[slot] = bodies[b].density * thickness * points.volume[point];
       p.user_index[slot] = first + point;
+      p.row_place[slot] = order.row_place[slot - range.begin];
       p.slot_of[first + point] = slot;
     }
   }

@@ -1,7 +1,6 @@
 #pragma once
-/// The particles of all bodies in computing order. Each body starts on a full slice of eight; what is left of its last slice, and two slices
-/// between bodies, are padding: particles of no volume and no mass that see nobody. So whatever adds zeros to eight places in a row at the
-/// end of a body never meets another body.
+/// The particles of all bodies in computing order, block after block. Each body starts on a full slice of eight; what is left of its last slice is
+/// padding: particles of no volume and no mass that see nobody.
 
 #include <sinew/core/pack.hpp>
 #include <sinew/particles/generate/point_set.hpp>
@@ -19,11 +18,20 @@ struct BodyRange {
   double density = 0.0;  ///< reference mass density
 };
 
+/// Slots [begin, end) of a block, a compact piece of a body.
+struct BlockRange {
+  int body = 0, begin = 0, end = 0;
+};
+/// Particles in a block at most: little enough for the caches, enough to have few neighbors outside. A constant of the program, so that
+/// sums have the same order everywhere. Tests lower it.
+inline int largest_block = 16384;
+
 template <int D>
 struct Particles {
   int count = 0;  ///< particles
   int slots = 0;  ///< places in computing order, a multiple of eight
   std::vector<BodyRange> bodies;
+  std::vector<BlockRange> blocks;
   VectorField<D> position;      ///< reference position X [length]
   VectorField<D> displacement;  ///< u [length]; kept instead of the current position: F - I is then as accurate as u itself
   VectorField<D> velocity;      ///< [length/time]
@@ -32,10 +40,12 @@ struct Particles {
   AlignedArray<double> mass;    ///< [mass]; 0 for padding
   std::vector<int> user_index;  ///< slot -> number in the user's order, -1 for padding
   std::vector<int> slot_of;     ///< number in the user's order -> slot
+  std::vector<int> row_place;   ///< slot -> place in the order of rows of its body, as if there were no blocks
 
   Point reference(int slot) const;  ///< X, with z = 0 in two dimensions
   Point current(int slot) const;    ///< x = X + u
   int body_of(int slot) const;
+  int block_of(int slot) const;
   std::size_t bytes() const;
 };
 
@@ -47,7 +57,7 @@ struct BodyPoints {
   double spacing;
 };
 
-/// Puts all bodies into computing order (rows of the arrangement, longest axis slowest). `thickness`: of a plane body, 1 in 3D.
+/// Puts all bodies into computing order. `thickness`: of a plane body, 1 in 3D.
 template <int D>
 Particles<D> make_particles(const std::vector<BodyPoints>& bodies, double thickness);
 

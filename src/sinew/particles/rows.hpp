@@ -23,8 +23,8 @@ struct PlacePack {
 };
 
 /// Loads eight place rows whole and transposes them in registers.
-template <int D>
-SINEW_INLINE PlacePack<D> load_places(const double* rows, const int* index) {
+template <int D, class Index>
+SINEW_INLINE PlacePack<D> load_places(const double* rows, const Index* index) {
   registers::Doubles u[D], X[D];
   registers::load_columns(rows, index, u, X);
   PlacePack<D> p;
@@ -33,8 +33,8 @@ SINEW_INLINE PlacePack<D> load_places(const double* rows, const int* index) {
 }
 
 /// Subtracts lane k of `t` from vector row index[k], one lane after the other: equal indices are added up correctly.
-template <int D>
-SINEW_INLINE void subtract_rows(double* rows, const int* index, const Vec<Pack, D>& t) {
+template <int D, class Index>
+SINEW_INLINE void subtract_rows(double* rows, const Index* index, const Vec<Pack, D>& t) {
   if constexpr (D == 3)
     registers::subtract_columns(rows, index, t[0].v, t[1].v, t[2].v);
   else

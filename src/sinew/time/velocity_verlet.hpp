@@ -5,7 +5,8 @@
 ///
 /// a: acceleration without damping, c: damping rate [1/time]. Second order; without damping symplectic and reversible.
 
-#include <sinew/neighbors/chunks.hpp>
+#include <sinew/neighbors/threads.hpp>
+#include <sinew/particles/particles.hpp>
 #include <string_view>
 
 namespace sinew {
@@ -32,12 +33,12 @@ void kick_and_drift(Particles<D>& particles, double dt, double damping) {
   });
 }
 
-/// Turns the force streams of slots [begin, end) into accelerations (plus `gravity`), clears them and completes the velocities. dt = 0 at the
+/// Turns the forces on slots [begin, end) into accelerations (plus `gravity`), clears them and completes the velocities. dt = 0 at the
 /// start of a run.
 template <int D>
 struct AccelerateAndKick {
   Particles<D>& particles;
-  ForceStreams<D>& forces;
+  VectorField<D>& forces;
   Vec<double, D> gravity;
   double dt, damping;
 
@@ -47,10 +48,11 @@ struct AccelerateAndKick {
     for (int c = 0; c < D; ++c) {
       double* __restrict v = particles.velocity.component(c);
       double* __restrict a = particles.acceleration.component(c);
-      take_forces(forces, c, begin, end, a);
+      double* __restrict f = forces.component(c);
       for (int slot = begin; slot < end; ++slot) {
         const double inverse_mass = mass[slot] > 0.0 ? 1.0 / mass[slot] : 0.0;  // padding stays where it is
-        a[slot] = mass[slot] > 0.0 ? a[slot] * inverse_mass + gravity[c] : 0.0;
+        a[slot] = mass[slot] > 0.0 ? f[slot] * inverse_mass + gravity[c] : 0.0;
+        f[slot] = 0.0;
         v[slot] = share * (v[slot] + 0.5 * dt * a[slot]);
       }
     }

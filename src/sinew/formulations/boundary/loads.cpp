@@ -18,7 +18,7 @@ void Loads<D>::remember(const Particles<D>& particles) {
 }
 
 template <int D>
-void Loads<D>::add(const Particles<D>& particles, double t, double dt, ForceStreams<D>& forces) {
+void Loads<D>::add(const Particles<D>& particles, double t, double dt, VectorField<D>& forces) {
   for (Applied& applied : conditions_) {
     double value = 0.0;
     for (std::size_t k = 0; k < applied.entries.size(); ++k) {
@@ -26,7 +26,7 @@ void Loads<D>::add(const Particles<D>& particles, double t, double dt, ForceStre
       if (k == 0 || applied.function.depends_on_place)
         value = applied.function(particles.reference(entry.slot), particles.current(entry.slot), t);
       const double force = entry.share * value;
-      forces.add(applied.component, entry.slot, force);
+      forces.at(applied.component, entry.slot) += force;
       if (dt > 0.0)
         work_ += 0.5 * (entry.force + force) * (particles.displacement.at(applied.component, entry.slot) - entry.previous_u);
       entry.force = force;

@@ -3,7 +3,7 @@
 /// reference configuration.
 
 #include <sinew/core/field_function.hpp>
-#include <sinew/neighbors/chunks.hpp>
+#include <sinew/particles/particles.hpp>
 #include <vector>
 
 namespace sinew {
@@ -24,7 +24,7 @@ class Loads {
 
   void remember(const Particles<D>& particles);
   /// Adds the loads of time t to the forces and counts their work since `remember` (not at the start, where `dt` is 0).
-  void add(const Particles<D>& particles, double t, double dt, ForceStreams<D>& forces);
+  void add(const Particles<D>& particles, double t, double dt, VectorField<D>& forces);
   double work() const { return work_; }
 
   std::vector<double> forces() const;

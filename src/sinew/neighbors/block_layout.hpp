@@ -1,0 +1,47 @@
+#pragma once
+/// Gives places to the particles of a block and to its ghosts, while pairs are laid out. One for each thread; it keeps its memory.
+
+#include <sinew/neighbors/blocks.hpp>
+#include <sinew/neighbors/pair_list.hpp>
+#include <vector>
+
+namespace sinew {
+
+template <int D>
+class BlockLayout {
+ public:
+  BlockLayout(const Particles<D>& particles, const PairList& list) : particles_(particles), list_(list) {}
+
+  /// Own particles from place 0 on, ghosts after them.
+  void own_first(const BlockRange& block);
+  /// Own particles and ghosts together in rows: neighbors at one distance in space are at one distance in places, if they stand on a lattice.
+  void by_rows(const BlockRange& block);
+  /// As it was before.
+  void restore(const BlockRange& block, const std::vector<int>& slot_at);
+
+  const BlockRange& block() const { return block_; }
+  /// Place -> slot; `nobody`: padding. Whole slices.
+  const std::vector<int>& slot_at() const { return slot_at_; }
+  bool own(int place) const { return slot_at_[place] >= block_.begin && slot_at_[place] < block_.end; }
+  /// Places of the neighbors of an own particle, ascending.
+  void neighbors(int place, std::vector<int>& places) const;
+  /// Places at which slices with own particles begin.
+  std::vector<int> slices() const;
+  /// Appends the runs of own particles or of ghosts.
+  void add_runs(bool own_ones, std::vector<Run>& runs) const;
+
+ private:
+  void find_ghosts(const BlockRange& block);
+  void give_places();
+
+  const Particles<D>& particles_;
+  const PairList& list_;
+  BlockRange block_;
+  std::vector<int> ghosts_, slot_at_;
+  std::vector<int> place_of_;  ///< slot -> place
+};
+
+extern template class BlockLayout<2>;
+extern template class BlockLayout<3>;
+
+}  // namespace sinew

@@ -1,0 +1,219 @@
+#include <sinew/core/error.hpp>
+#include <sinew/neighbors/block_layout.hpp>
+#include <sinew/neighbors/block_pairs.hpp>
+#include <sinew/neighbors/lattice_reader.hpp>
+
+#include <algorithm>
+
+namespace sinew {
+
+namespace {
+
+/// What is known of a block before all blocks are put together.
+struct Draft {
+  std::vector<int> slot_at, slices, patterns;
+  std::vector<Run> own, ghosts;
+  bool lattice = false;
+
+  template <int D>
+  void take(const BlockLayout<D>& layout) {
+    slot_at = layout.slot_at();
+    slices = layout.slices();
+    own.clear();
+    ghosts.clear();
+    layout.add_runs(true, own);
+    layout.add_runs(false, ghosts);
+  }
+};
+
+constexpr int together = 16;  ///< blocks that are read before the dictionary grows
+
+template <int D>
+class BlockPairsMaker {
+ public:
+  BlockPairsMaker(const Particles<D>& particles, const PairList& list, const std::vector<double>& radius)
+      : particles_(particles),
+        list_(list),
+        reader_(particles, radius),
+        dictionary_(reader_, pairs_.lattice),
+        drafts_(particles.blocks.size()) {
+    for (std::size_t t = 0; t < most_threads(); ++t) layouts_.emplace_back(particles, list);
+  }
+
+  BlockPairs<D> make(bool look_for_lattice) {
+    const int count = static_cast<int>(drafts_.size());
+    for (int first = 0; look_for_lattice && first < count; first += together)
+      read_lattices(first, std::min(first + together, count));
+    for_each([&](int b, BlockLayout<D>& layout) {
+      if (drafts_[b].lattice) return;
+      layout.own_first(particles_.blocks[b]);
+      drafts_[b].take(layout);
+      drafts_[b].patterns.assign(drafts_[b].slices.size(), LatticePatterns<D>::none);
+    });
+    for (int b = 0; b < count; ++b) append(b);
+    count_entries();
+    pairs_.places = AlignedArray<PlaceIndex>(lanes * pairs_.entries());
+    for_each([&](int b, BlockLayout<D>& layout) { write_entries(b, layout); });
+    find_spills();
+    return std::move(pairs_);
+  }
+
+ private:
+  template <class Work>
+  void for_each(Work&& work) {
+    const int count = static_cast<int>(drafts_.size());
+#pragma omp parallel for schedule(dynamic, 1) if (particles_.slots >= fewest_for_threads)
+    for (int b = 0; b < count; ++b) work(b, layouts_[this_thread()]);
+  }
+
+  void read_lattices(int begin, int end) {
+    std::vector<std::vector<SliceShape<D>>> shapes(end - begin);
+#pragma omp parallel for schedule(dynamic, 1) if (particles_.slots >= fewest_for_threads)
+    for (int b = begin; b < end; ++b) {
+      BlockLayout<D>& layout = layouts_[this_thread()];
+      layout.by_rows(particles_.blocks[b]);
+      drafts_[b].take(layout);
+      shapes[b - begin] = reader_.read(layout, drafts_[b].slices);
+    }
+    for (int b = begin; b < end; ++b) {
+      Draft& draft = drafts_[b];
+      std::size_t found = 0;
+      for (const SliceShape<D>& shape : shapes[b - begin]) {
+        draft.patterns.push_back(shape.offsets.empty() ? LatticePatterns<D>::none : dictionary_.number_of(shape));
+        found += draft.patterns.back() != LatticePatterns<D>::none ? 1U : 0U;
+      }
+      draft.lattice = !draft.patterns.empty() && 2 * found >= draft.slices.size();
+    }
+  }
+
+  void append(int b) {
+    Blocks& blocks = pairs_.blocks;
+    const Draft& draft = drafts_[b];
+    const BlockRange& range = particles_.blocks[b];
+    if (draft.slot_at.size() > place_limit) too_many_places(range);
+    Block block{range.body, range.begin, range.end, static_cast<int>(draft.slot_at.size()), blocks.slot_at.size()};
+    blocks.slot_at.insert(blocks.slot_at.end(), draft.slot_at.begin(), draft.slot_at.end());
+    block.first_slice = blocks.slices();
+    blocks.place_of_slice.insert(blocks.place_of_slice.end(), draft.slices.begin(), draft.slices.end());
+    block.end_slice = blocks.slices();
+    std::vector<int>& patterns = pairs_.lattice.of_slice;
+    patterns.insert(patterns.end(), draft.patterns.begin(), draft.patterns.end());
+    for (int pattern : draft.patterns) (pattern == LatticePatterns<D>::none ? block.has_list : block.has_lattice) = true;
+    block.first_own = static_cast<int>(blocks.runs.size());
+    blocks.runs.insert(blocks.runs.end(), draft.own.begin(), draft.own.end());
+    block.first_ghost = static_cast<int>(blocks.runs.size());
+    for (Run run : draft.ghosts) {
+      run.spill = blocks.ghosts;
+      blocks.ghosts += run.length;
+      blocks.runs.push_back(run);
+    }
+    block.end_runs = static_cast<int>(blocks.runs.size());
+    blocks.all.push_back(block);
+  }
+
+  [[noreturn]] void too_many_places(const BlockRange& range) const {
+    throw CaseError("body \"" + particles_.bodies[range.body].name + "\": a block of " + std::to_string(range.end - range.begin) +
+                    " particles and all that they see are more than " + std::to_string(place_limit) +
+                    " particles. Make [formulation] support smaller, or ask for fewer neighbors.");
+  }
+
+  void count_entries() {
+    const Blocks& blocks = pairs_.blocks;
+    pairs_.neighbor_count = list_.neighbor_count;
+    pairs_.pairs = list_.pairs;
+    pairs_.first_entry.assign(1, 0);
+    for (const Block& block : blocks.all)
+      for (int slice = block.first_slice; slice < block.end_slice; ++slice) {
+        std::size_t longest = 0;
+        const int* slots = blocks.slots_of(block) + blocks.place_of_slice[slice];
+        for (int k = 0; pairs_.listed(slice) && k < lanes; ++k)
+          if (slots[k] >= block.begin && slots[k] < block.end)
+            longest = std::max<std::size_t>(longest, list_.neighbor_count[slots[k]]);
+        pairs_.first_entry.push_back(pairs_.first_entry.back() + longest);
+      }
+  }
+
+  void write_entries(int b, BlockLayout<D>& layout) {
+    const Block& block = pairs_.blocks.all[b];
+    if (!block.has_list) return;
+    layout.restore(particles_.blocks[b], drafts_[b].slot_at);
+    std::vector<int> places;
+    for (int slice = block.first_slice; slice < block.end_slice; ++slice) {
+      const std::size_t first = pairs_.first_entry[slice], count = pairs_.first_entry[slice + 1] - first;
+      PlaceIndex* entry = pairs_.places.data() + lanes * first;
+      for (int k = 0; k < lanes && count > 0; ++k) {
+        const int place = pairs_.blocks.place_of_slice[slice] + k;
+        places.clear();
+        if (layout.own(place)) layout.neighbors(place, places);
+        for (std::size_t n = 0; n < count; ++n)
+          entry[lanes * n + k] = static_cast<PlaceIndex>(n < places.size() ? places[n] : place);
+      }
+    }
+  }
+
+  void find_spills() {
+    Blocks& blocks = pairs_.blocks;
+    blocks.first_out.push_back(0);
+    for (int b = 0; b < blocks.count(); ++b) {
+      const Block& block = blocks.all[b];
+      for (int r = block.first_ghost; r < block.end_runs; ++r) {
+        const int to = particles_.block_of(blocks.runs[r].slot);
+        if (static_cast<int>(blocks.out.size()) == blocks.first_out[b] || blocks.out.back().to != to)
+          blocks.out.push_back({b, to, r, r});
+        blocks.out.back().end_run = r + 1;
+      }
+      blocks.first_out.push_back(static_cast<int>(blocks.out.size()));
+    }
+    blocks.in = blocks.out;
+    std::stable_sort(blocks.in.begin(), blocks.in.end(), [](const Spill& a, const Spill& b) { return a.to < b.to; });
+    blocks.first_in.assign(blocks.count() + 1, 0);
+    for (const Spill& spill : blocks.in) ++blocks.first_in[spill.to + 1];
+    for (int b = 0; b < blocks.count(); ++b) blocks.first_in[b + 1] += blocks.first_in[b];
+  }
+
+  const Particles<D>& particles_;
+  const PairList& list_;
+  BlockPairs<D> pairs_;
+  const LatticeReader<D> reader_;
+  LatticeDictionary<D> dictionary_;
+  std::vector<Draft> drafts_;
+  std::vector<BlockLayout<D>> layouts_;
+};
+
+}  // namespace
+
+template <int D>
+std::vector<int> BlockPairs<D>::neighbors(int slot, const Particles<D>& particles) const {
+  const Block& block = blocks.all[particles.block_of(slot)];
+  const int* slots = blocks.slots_of(block);
+  const int place = static_cast<int>(std::find(slots, slots + block.places, slot) - slots);
+  const auto begin = blocks.place_of_slice.begin();
+  const auto after = std::upper_bound(begin + block.first_slice, begin + block.end_slice, place);
+  const int slice = static_cast<int>(after - begin) - 1, lane = place % lanes;
+  std::vector<int> all;
+  if (listed(slice))
+    for (int n = 0; n < neighbor_count[slot]; ++n) all.push_back(slots[entry(first_entry[slice] + n)[lane]]);
+  else
+    for (int offset : lattice.offsets(lattice.of_slice[slice], lane)) all.push_back(slots[place + offset]);
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+template <int D>
+std::size_t BlockPairs<D>::bytes() const {
+  return blocks.bytes() + lattice.bytes() + first_entry.size() * sizeof(std::size_t) + places.bytes() +
+         neighbor_count.size() * sizeof(int);
+}
+
+template <int D>
+BlockPairs<D> make_block_pairs(const Particles<D>& particles, PairList list, const std::vector<double>& support_radius,
+                               bool look_for_lattice) {
+  return BlockPairsMaker<D>(particles, list, support_radius).make(look_for_lattice);
+}
+
+template struct BlockPairs<2>;
+template struct BlockPairs<3>;
+template BlockPairs<2> make_block_pairs<2>(const Particles<2>&, PairList, const std::vector<double>&, bool);
+template BlockPairs<3> make_block_pairs<3>(const Particles<3>&, PairList, const std::vector<double>&, bool);
+
+}  // namespace sinew

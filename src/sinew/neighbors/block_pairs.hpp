@@ -1,0 +1,43 @@
+#pragma once
+/// The pairs of all blocks. A slice, eight particles at consecutive places of a block, has a lattice pattern or a list (sliced ELLPACK): entry (s, k) holds
+/// the place of the k-th neighbor of each of its particles. Rows that end early are filled with the particle itself.
+
+#include <cstdint>
+#include <sinew/neighbors/blocks.hpp>
+#include <sinew/neighbors/lattice_patterns.hpp>
+#include <sinew/neighbors/pair_list.hpp>
+#include <vector>
+
+namespace sinew {
+
+/// A place of a block. Two bytes a pair instead of four; a block and its ghosts, of some 30 000 particles in a usual support, are never so many that they
+/// do not fit, unless supports are several times as large. Tests lower the limit.
+using PlaceIndex = std::uint16_t;
+inline std::size_t place_limit = std::size_t{1} << 16;
+
+template <int D>
+struct BlockPairs {
+  Blocks blocks;
+  LatticePatterns<D> lattice;            ///< pattern of each slice
+  std::vector<std::size_t> first_entry;  ///< slices + 1; slices with a pattern have none
+  AlignedArray<PlaceIndex> places;       ///< entry e, lane k: places[8 e + k]
+  std::vector<int> neighbor_count;       ///< per slot
+  std::size_t pairs = 0;                 ///< directed pairs, fill not counted
+
+  std::size_t entries() const { return first_entry.back(); }
+  const PlaceIndex* entry(std::size_t e) const { return places.data() + lanes * e; }
+  bool listed(int slice) const { return lattice.of_slice[slice] == LatticePatterns<D>::none; }
+  /// The slots of the neighbors of a particle, ascending.
+  std::vector<int> neighbors(int slot, const Particles<D>& particles) const;
+  std::size_t bytes() const;
+};
+
+/// Lays out pairs block by block. A block of which less than half of the slices have a lattice pattern has none.
+template <int D>
+BlockPairs<D> make_block_pairs(const Particles<D>& particles, PairList list, const std::vector<double>& support_radius,
+                               bool look_for_lattice);
+
+extern template struct BlockPairs<2>;
+extern template struct BlockPairs<3>;
+
+}  // namespace sinew
