@@ -67,7 +67,7 @@ class BlockPairsMaker {
   }
 
   void read_lattices(int begin, int end) {
-    std::vector<std::vector<SliceShape<D>>> shapes(end - begin);
+    std::vector<BlockShapes<D>> shapes(end - begin);
 #pragma omp parallel for schedule(dynamic, 1) if (particles_.slots >= fewest_for_threads)
     for (int b = begin; b < end; ++b) {
       BlockLayout<D>& layout = layouts_[this_thread()];
@@ -75,15 +75,20 @@ class BlockPairsMaker {
       drafts_[b].take(layout);
       shapes[b - begin] = reader_.read(layout, drafts_[b].slices);
     }
-    for (int b = begin; b < end; ++b) {
-      Draft& draft = drafts_[b];
-      std::size_t found = 0;
-      for (const SliceShape<D>& shape : shapes[b - begin]) {
-        draft.patterns.push_back(shape.offsets.empty() ? LatticePatterns<D>::none : dictionary_.number_of(shape));
-        found += draft.patterns.back() != LatticePatterns<D>::none ? 1U : 0U;
-      }
-      draft.lattice = !draft.patterns.empty() && 2 * found >= draft.slices.size();
+    for (int b = begin; b < end; ++b) number(shapes[b - begin], drafts_[b]);
+  }
+
+  /// Gives patterns to the slices of a block, if most of them have one.
+  void number(const BlockShapes<D>& shapes, Draft& draft) {
+    std::vector<int> pattern;
+    for (const SliceShape<D>& shape : shapes.distinct)
+      pattern.push_back(shape.offsets.empty() ? LatticePatterns<D>::none : dictionary_.number_of(shape));
+    std::size_t found = 0;
+    for (int shape : shapes.of_slice) {
+      draft.patterns.push_back(pattern[shape]);
+      found += pattern[shape] != LatticePatterns<D>::none ? 1U : 0U;
     }
+    draft.lattice = !draft.patterns.empty() && 2 * found >= draft.slices.size();
   }
 
   void append(int b) {

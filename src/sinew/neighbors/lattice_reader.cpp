@@ -34,6 +34,13 @@ void spread(std::vector<Pair>& pairs, int begin) {
   }
 }
 
+template <int D>
+std::uint64_t hash(const SliceShape<D>& shape) {
+  std::uint64_t h = 0xcbf29ce484222325ULL;
+  for (const Offset<D>& o : shape.offsets) h = (h ^ (static_cast<std::uint64_t>(o.offset) << 8 | o.members)) * 0x100000001b3ULL;
+  return h;
+}
+
 }  // namespace
 
 template <int D>
@@ -59,22 +66,43 @@ Bond<D> LatticeReader<D>::bond_of(int i, int j) const {
 }
 
 template <int D>
-std::vector<SliceShape<D>> LatticeReader<D>::read(const BlockLayout<D>& layout, const std::vector<int>& slices) const {
-  std::vector<SliceShape<D>> shapes;
+bool LatticeReader<D>::same(const SliceShape<D>& a, const SliceShape<D>& b) const {
+  return a.volume == b.volume && std::equal(a.offsets.begin(), a.offsets.end(), b.offsets.begin(), b.offsets.end(),
+                                            [this](const Offset<D>& p, const Offset<D>& q) {
+                                              return p.offset == q.offset && p.members == q.members && same(p.bond, q.bond);
+                                            });
+}
+
+template <int D>
+BlockShapes<D> LatticeReader<D>::read(const BlockLayout<D>& layout, const std::vector<int>& slices) const {
+  BlockShapes<D> shapes;
+  std::unordered_map<std::uint64_t, std::vector<int>> known;
   std::vector<int> rows[lanes];
+  SliceShape<D> shape;
   std::size_t without = 0;
   for (int place : slices) {
-    shapes.push_back(read(layout, place, rows));
-    if (shapes.back().offsets.empty() && 2 * ++without > slices.size()) return {};
+    read(layout, place, rows, shape);
+    if (shape.offsets.empty() && 2 * ++without > slices.size()) return {};
+    std::vector<int>& candidates = known[hash(shape)];
+    const auto found = std::find_if(candidates.begin(), candidates.end(), [&](int k) { return same(shapes.distinct[k], shape); });
+    if (found == candidates.end()) {
+      shapes.of_slice.push_back(static_cast<int>(shapes.distinct.size()));
+      candidates.push_back(shapes.of_slice.back());
+      shapes.distinct.push_back(shape);
+    } else {
+      shapes.of_slice.push_back(*found);
+    }
   }
   return shapes;
 }
 
 /// Merges the ascending neighbors of the own particles by distance in places. Empty where they do not look alike.
 template <int D>
-SliceShape<D> LatticeReader<D>::read(const BlockLayout<D>& layout, int place, std::vector<int> (&rows)[lanes]) const {
-  SliceShape<D> shape;
+void LatticeReader<D>::read(const BlockLayout<D>& layout, int place, std::vector<int> (&rows)[lanes],
+                            SliceShape<D>& shape) const {
   std::vector<Offset<D>>& found = shape.offsets;
+  found.clear();
+  shape.volume = {};
   const std::vector<int>& slot_at = layout.slot_at();
   std::size_t next[lanes] = {}, longest = 0;
   std::uint8_t own = 0;
@@ -91,13 +119,13 @@ SliceShape<D> LatticeReader<D>::read(const BlockLayout<D>& layout, int place, st
     int least = nothing;
     for (int k = 0; k < lanes; ++k)
       if (next[k] < rows[k].size()) least = std::min(least, rows[k][next[k]] - k);
-    if (least == nothing) return shape;
-    if (found.size() == longest + longest / 2 + 8) return {};
+    if (least == nothing) return;
+    if (found.size() == longest + longest / 2 + 8) return found.clear();
     Offset<D> merged{least - place, 0, {}};
     for (int k = 0; k < lanes; ++k) {
       if (next[k] == rows[k].size() || rows[k][next[k]] - k != least) continue;
       const Bond<D> bond = bond_of(slot_at[place + k], slot_at[least + k]);
-      if (merged.members != 0 && !same(bond, merged.bond)) return {};
+      if (merged.members != 0 && !same(bond, merged.bond)) return found.clear();
       if (merged.members == 0) merged.bond = bond;
       merged.members = static_cast<std::uint8_t>(merged.members | 1U << k);
       ++next[k];
@@ -117,13 +145,6 @@ int LatticeDictionary<D>::number_of(const SliceShape<D>& shape) {
   add(shape);
   candidates.push_back(static_cast<int>(sources_.size()) - 1);
   return candidates.back();
-}
-
-template <int D>
-std::uint64_t LatticeDictionary<D>::hash(const SliceShape<D>& shape) {
-  std::uint64_t h = 0xcbf29ce484222325ULL;
-  for (const Offset<D>& o : shape.offsets) h = (h ^ (static_cast<std::uint64_t>(o.offset) << 8 | o.members)) * 0x100000001b3ULL;
-  return h;
 }
 
 template <int D>

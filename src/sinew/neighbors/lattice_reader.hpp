@@ -24,17 +24,25 @@ struct SliceShape {
   SliceVolumes volume{};
 };
 
+/// Shapes of the slices of a block, each kept once.
+template <int D>
+struct BlockShapes {
+  std::vector<SliceShape<D>> distinct;
+  std::vector<int> of_slice;  ///< slice -> shape; empty if less than half of them have one
+};
+
 template <int D>
 class LatticeReader {
  public:
   LatticeReader(const Particles<D>& particles, const std::vector<double>& radius);
 
-  /// Shapes of slices of a block. Empty if less than half of them have one.
-  std::vector<SliceShape<D>> read(const BlockLayout<D>& layout, const std::vector<int>& slices) const;
+  /// Shapes of slices of a block, which begin at these places.
+  BlockShapes<D> read(const BlockLayout<D>& layout, const std::vector<int>& slices) const;
   bool same(const Bond<D>& a, const Bond<D>& b, double sign = 1.0) const;
 
  private:
-  SliceShape<D> read(const BlockLayout<D>& layout, int place, std::vector<int> (&rows)[lanes]) const;
+  void read(const BlockLayout<D>& layout, int place, std::vector<int> (&rows)[lanes], SliceShape<D>& shape) const;
+  bool same(const SliceShape<D>& a, const SliceShape<D>& b) const;
   Bond<D> bond_of(int i, int j) const;
 
   const Particles<D>& particles_;
@@ -52,7 +60,6 @@ class LatticeDictionary {
   int number_of(const SliceShape<D>& shape);
 
  private:
-  static std::uint64_t hash(const SliceShape<D>& shape);
   bool matches(const SliceShape<D>& shape, int pattern) const;
   int bond_number(const Bond<D>& bond);
   void add(const SliceShape<D>& shape);

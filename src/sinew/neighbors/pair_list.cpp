@@ -1,8 +1,8 @@
 #include <sinew/core/error.hpp>
-#include <sinew/neighbors/threads.hpp>
 #include <sinew/neighbors/body_search.hpp>
 #include <sinew/neighbors/pair_list.hpp>
 #include <sinew/neighbors/store.hpp>
+#include <sinew/neighbors/threads.hpp>
 
 #include <algorithm>
 #include <array>
