@@ -25,7 +25,7 @@ void check_patch(const Mat<double, D>& A) {
   const ForceSummary summary = solid.record(cloud.particles, state);
   for (int slot : cloud.particles.slot_of)
     for (int i = 0; i < D; ++i)
-      for (int j = 0; j < D; ++j) EXPECT_NEAR(state.deformation_gradient[9 * slot + 3 * i + j], A[i][j], 1e-12);
+      for (int j = 0; j < D; ++j) EXPECT_NEAR(state.deformation_gradient.at(3 * i + j, slot), A[i][j], 1e-12);
   EXPECT_NEAR(summary.hourglass_energy, 0.0, 1e-12 * summary.strain_energy);
 }
 
@@ -41,7 +41,7 @@ TEST(Invariants, ARigidRotationLeavesNoStress) {
   RecordedState state(cloud.particles.slots);
   solid.record(cloud.particles, state);
   for (int slot : cloud.particles.slot_of)
-    for (int k = 0; k < 9; ++k) EXPECT_NEAR(state.stress[9 * slot + k], 0.0, 1e-12 * 2.0);
+    for (int k = 0; k < 9; ++k) EXPECT_NEAR(state.stress.at(k, slot), 0.0, 1e-12 * 2.0);
 }
 
 template <int D>

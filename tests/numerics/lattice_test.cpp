@@ -89,11 +89,12 @@ void compare_in_blocks(const std::vector<PointSet>& bodies, Share share, double 
     EXPECT_NEAR(lattice.hourglass_time_step(), listed.hourglass_time_step(), 1e-12 * listed.hourglass_time_step());
 
     RecordedState with(particles.slots), without(particles.slots);
+    with.hourglass_error = without.hourglass_error = AlignedArray<double>(particles.slots);
     lattice.record(particles, with);
     listed.record(particles, without);
     for (int slot : particles.slot_of) {
       EXPECT_NEAR(with.hourglass_error[slot], without.hourglass_error[slot], 1e-12);
-      for (int c = 0; c < 9; ++c) EXPECT_NEAR(with.stress[9 * slot + c], without.stress[9 * slot + c], 1e-11);
+      for (int c = 0; c < 9; ++c) EXPECT_NEAR(with.stress.at(c, slot), without.stress.at(c, slot), 1e-11);
     }
   }
 }
@@ -189,7 +190,7 @@ TEST(Weights, SingleOnesPassThePatchTest) {
   RecordedState state(cloud.particles.slots);
   const ForceSummary summary = solid.record(cloud.particles, state);
   for (int slot : cloud.particles.slot_of)
-    for (int c = 0; c < 9; ++c) EXPECT_NEAR(state.deformation_gradient[9 * slot + c], A[c / 3][c % 3], 1e-13);
+    for (int c = 0; c < 9; ++c) EXPECT_NEAR(state.deformation_gradient.at(c, slot), A[c / 3][c % 3], 1e-13);
   EXPECT_LT(std::abs(summary.hourglass_energy), 1e-13 * summary.strain_energy);
 }
 

@@ -9,6 +9,7 @@
 #include <sinew/io/file.hpp>
 #include <sinew/io/picture.hpp>
 #include <sinew/io/write_toml.hpp>
+#include <sinew/model/fields.hpp>
 
 namespace sinew {
 
@@ -33,7 +34,9 @@ CaseRun::CaseRun(const Case& case_, Simulation& simulation_, const RunFolder& fo
       reporter(reporter_),
       control(control_),
       recorder(case_, simulation_, folder_),
-      case_text(toml_text(case_.resolved)) {}
+      case_text(toml_text(case_.resolved)),
+      frames_need_record(std::any_of(case_.output.fields.begin(), case_.output.fields.end(),
+                                     [](const std::string& field) { return needs_record(field); })) {}
 
 void CaseRun::begin() {
   write_atomically(folder.resolved_case(), case_text);
@@ -90,7 +93,10 @@ void CaseRun::march() {
 void CaseRun::step() {
   const Clock::time_point start = Clock::now();
   try {
-    simulation.step(c.solver.end_time - simulation.time());
+    const double now = simulation.time(), most = c.solver.end_time - now;
+    const double next = now + std::min(simulation.stable_time_step(), most);
+    if (frames_need_record && multiple_reached(now, next, c.output.every)) simulation.expect_record();
+    simulation.step(most);
   } catch (const SimulationError& error) {
     status = "unstable";
     message = error.what();

@@ -65,6 +65,7 @@ class CaseRun {
   RunControl control;
   Recorder recorder;
   std::string case_text;
+  bool frames_need_record;
   std::optional<FrameWriter> frames;
   long last_frame_step = -1;
   std::string status = "completed", message;

@@ -20,27 +20,52 @@ struct SweepSums {
   }
 };
 
-/// Keeps what `record` asks for, lane after lane of a slice.
+/// Where the lanes of a slice go: the slots of the block's own particles.
+template <int D>
+class SliceSlots {
+ public:
+  SliceSlots(const SweepTask<D>& task, int slice)
+      : slots_(task.source.pairs.blocks.slots_of(task.block) + task.source.pairs.blocks.place_of_slice[slice]),
+        begin_(task.block.begin),
+        end_(task.block.end),
+        in_a_row_(own(0) && own(lanes - 1) && slots_[lanes - 1] - slots_[0] == lanes - 1) {}
+
+  void store(const Pack& values, double* by_slot) const {
+    if (in_a_row_) return values.store_unaligned(by_slot + slots_[0]);
+    for (int k = 0; k < lanes; ++k)
+      if (own(k)) by_slot[slots_[k]] = values[k];
+  }
+
+ private:
+  bool own(int k) const { return slots_[k] >= begin_ && slots_[k] < end_; }
+  const int* slots_;
+  int begin_, end_;
+  bool in_a_row_;
+};
+
+/// Largest |F X - x| / |X| over the neighbors of eight particles.
 template <int D, class Pairs>
-void keep(const SweepTask<D>& task, int slice, const Mat<Pack, D>& F, const PointResponse<D>& point, const Pairs& pairs) {
+Pack hourglass_error(const Mat<Pack, D>& F, const Pairs& pairs) {
   Pack error2(0.0);
   pairs.visit([&](const auto& weight, const Vec<Pack, D>& u, const Vec<Pack, D>& X) {
     const Vec<Pack, D> e = F * X - (X + u);
     error2 = max(error2, select(weight.present(), dot(e, e) / (dot(X, X) + 1e-200), Pack(0.0)));
   });
+  return sqrt(error2);
+}
+
+/// Keeps what `record` asks for of a slice.
+template <int D, class Pairs>
+void keep(const SweepTask<D>& task, int slice, const Mat<Pack, D>& F, const PointResponse<D>& point, const Pairs& pairs) {
   RecordedState& state = *task.record;
-  const int* slots = task.source.pairs.blocks.slots_of(task.block) + task.source.pairs.blocks.place_of_slice[slice];
+  const SliceSlots<D> slots(task, slice);
   const Mat3<Pack> F3 = embed(F, point.thickness_stretch), P3 = embed(point.P, point.thickness_stress);
-  for (int k = 0; k < lanes; ++k) {
-    if (slots[k] < task.block.begin || slots[k] >= task.block.end) continue;
-    const auto slot = static_cast<std::size_t>(slots[k]);
-    for (int c = 0; c < 9; ++c) {
-      state.deformation_gradient[9 * slot + c] = F3[c / 3][c % 3][k];
-      state.stress[9 * slot + c] = P3[c / 3][c % 3][k];
-    }
-    state.energy_density[slot] = point.energy[k];
-    state.hourglass_error[slot] = std::sqrt(error2[k]);
+  for (int c = 0; c < 9; ++c) {
+    slots.store(F3[c / 3][c % 3], state.deformation_gradient.component(c));
+    slots.store(P3[c / 3][c % 3], state.stress.component(c));
   }
+  slots.store(point.energy, state.energy_density.data());
+  if (state.hourglass_error.size() > 0) slots.store(hourglass_error(F, pairs), state.hourglass_error.data());
 }
 
 /// A slice on its way through the sweep.

@@ -103,14 +103,15 @@ ForceSummary TotalLagrangian<D>::total() const {
 }
 
 template <int D>
-ForceSummary TotalLagrangian<D>::internal_forces(const Particles<D>& particles, VectorField<D>& forces, Finish finish) const {
+ForceSummary TotalLagrangian<D>::internal_forces(const Particles<D>& particles, VectorField<D>& forces, Finish finish,
+                                                 RecordedState* record) const {
   prepare_scratch();
   const PairSource<D> source{particles, pairs_};
   const WeightOptions weights = weight_options();
   for_each_block(
       pairs_.blocks, countdown_,
       [&](int number) {
-        const SweepTask<D> task = task_of(number, source, weights, nullptr);
+        const SweepTask<D> task = task_of(number, source, weights, record);
         summaries_[number] = sweep_block<D>(task);
         task.scratch.hand_out(task.block, forces, spilled_);
       },

@@ -28,15 +28,11 @@ struct ForceSummary {
 
 /// Point-wise results in computing order, for files and probes.
 struct RecordedState {
-  AlignedArray<double> deformation_gradient;  ///< slot after slot, 9 components, row-major
-  AlignedArray<double> stress;                ///< first Piola-Kirchhoff, likewise
+  VectorField<9> deformation_gradient;  ///< row-major
+  VectorField<9> stress;                ///< first Piola-Kirchhoff, likewise
   AlignedArray<double> energy_density;
-  AlignedArray<double> hourglass_error;  ///< largest |F X - x| / |X| over the neighbors
-  explicit RecordedState(int slots)
-      : deformation_gradient(9 * std::size_t(slots)),
-        stress(9 * std::size_t(slots)),
-        energy_density(slots),
-        hourglass_error(slots) {}
+  AlignedArray<double> hourglass_error;  ///< largest |F X - x| / |X| over the neighbors; empty if nobody wants it
+  explicit RecordedState(int slots) : deformation_gradient(slots), stress(slots), energy_density(slots) {}
 };
 
 struct TotalLagrangianOptions {
@@ -61,10 +57,11 @@ class TotalLagrangian {
 
   /// Called with slots [begin, end) whose forces are complete, as soon as they are, from any thread.
   using Finish = FunctionRef<void(int begin, int end)>;
-  /// Adds the pair forces of the current displacements to `forces`.
-  ForceSummary internal_forces(const Particles<D>& particles, VectorField<D>& forces, Finish finish) const;
+  /// Adds the pair forces of the current displacements to `forces`. With `record` it keeps F, P and energies of every particle besides.
+  ForceSummary internal_forces(const Particles<D>& particles, VectorField<D>& forces, Finish finish,
+                               RecordedState* record = nullptr) const;
   ForceSummary internal_forces(const Particles<D>& particles, VectorField<D>& forces) const;
-  /// The same sweep, keeping F, P and energies of every particle.
+  /// The same sweep for what it keeps alone.
   ForceSummary record(const Particles<D>& particles, RecordedState& state) const;
 
   /// Upper limit of the time step from the hourglass stiffness, 2 / omega; infinity without it.

@@ -15,11 +15,15 @@ namespace {
 struct Eight {
   int count;
   int slot[lanes];
+  bool in_a_row = true;
 
   explicit Eight(std::span<const int> slots) : count(static_cast<int>(std::min<std::size_t>(slots.size(), lanes))) {
-    for (int k = 0; k < lanes; ++k) slot[k] = slots[std::min(k, count - 1)];
+    for (int k = 0; k < lanes; ++k) {
+      slot[k] = slots[std::min(k, count - 1)];
+      in_a_row = in_a_row && slot[k] == slot[0] + k;
+    }
   }
-  Pack of(const double* values) const { return Pack::gather(values, slot); }
+  Pack of(const double* values) const { return in_a_row ? Pack::load_unaligned(values + slot[0]) : Pack::gather(values, slot); }
   template <int D>
   Vec<Pack, D> of(const VectorField<D>& field) const {
     Vec<Pack, D> v;
@@ -35,12 +39,9 @@ struct Eight {
   }
 };
 
-SINEW_INLINE Mat3<Pack> matrices_at(const AlignedArray<double>& values, const Eight& at) {
-  alignas(64) double lane[9][lanes];
-  for (int k = 0; k < lanes; ++k)
-    for (int c = 0; c < 9; ++c) lane[c][k] = values[9 * std::size_t(at.slot[k]) + c];
+SINEW_INLINE Mat3<Pack> matrices_at(const VectorField<9>& values, const Eight& at) {
   Mat3<Pack> m;
-  for (int c = 0; c < 9; ++c) m[c / 3][c % 3] = Pack::load(lane[c]);
+  for (int c = 0; c < 9; ++c) m[c / 3][c % 3] = at.of(values.component(c));
   return m;
 }
 

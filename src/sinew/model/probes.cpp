@@ -41,6 +41,7 @@ Probes<D>::Probes(const Case& c, const Regions& regions) : units_(c.general.unit
       probe.quantity = find_quantity(p.quantity);
       probe.component = component_index(*probe.quantity, p.component);
       probe.slots = regions.at(p.region.empty() ? "all" : p.region);
+      need_hourglass_error_ = need_hourglass_error_ || p.quantity == "hourglass_error";
       need_record_ = need_record_ || (!probe.quantity->is_total && needs_record(p.quantity));
     } else {
       probe.formula = Expression::over(variables, p.expression, c.parameters, p.place);

@@ -26,6 +26,7 @@ class Probes {
   Probes(const Case& c, const Regions& regions);
 
   bool need_record() const { return need_record_; }
+  bool need_hourglass_error() const { return need_hourglass_error_; }
   /// Values of all probes, in the order of the case.
   std::vector<double> values(const ProbedState<D>& state) const;
   /// Units of the values in the system of the case; empty for an expression.
@@ -44,7 +45,7 @@ class Probes {
 
   std::vector<Probe> probes_;
   UnitSystem units_;
-  bool need_record_ = false;
+  bool need_record_ = false, need_hourglass_error_ = false;
 };
 
 extern template class Probes<2>;

@@ -96,6 +96,7 @@ std::vector<int> select(const RegionCase& region, const Case& c, const std::vect
   }
   if (found.empty()) selects_nothing(region, particles);
   if (region.nearest) found = {nearest_of(found, *region.nearest, particles)};
+  std::sort(found.begin(), found.end());  // as they lie in memory
   return found;
 }
 

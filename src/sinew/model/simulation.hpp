@@ -72,6 +72,8 @@ class Simulation {
   virtual double stable_time_step() const = 0;  ///< for the next step
   /// One step of min(stable_time_step(), most). Throws SimulationError when the state is no longer usable: time, particle, cause.
   virtual void step(double most) = 0;
+  /// F and stresses of the state after the next step will be asked for: that step keeps them, so that it takes no sweep of its own.
+  virtual void expect_record() = 0;
 
   // What follows costs about one step for a state when first asked; then it is kept until the next step.
   virtual Energies energies() = 0;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <utility>
 
 namespace sinew {
 
@@ -65,6 +66,7 @@ SolidSimulation<D>::SolidSimulation(const Case& c, const std::vector<GeneratedBo
       gravity_(constant_body_force<D>(c)),
       probes_(c, regions_),
       step_size_{c.solver.cfl, solid_.hourglass_time_step(), c.solver.time_step.value_or(0.0)} {
+  wants_hourglass_error_ = probes_.need_hourglass_error();
   set_initial_state(c, regions_, particles_);
   start();
   collect_facts(bodies, watch.seconds());
@@ -107,8 +109,10 @@ template <int D>
 void SolidSimulation<D>::update_forces(double dt) {
   loads_.add(particles_, time_, dt, forces_);
   timer_.mark("boundary");
-  summary_ =
-      solid_.internal_forces(particles_, forces_, AccelerateAndKick<D>{particles_, forces_, gravity_, dt, case_.solver.damping});
+  RecordedState* const recorded = std::exchange(record_expected_, false) ? &room_for_record() : nullptr;
+  summary_ = solid_.internal_forces(particles_, forces_,
+                                    AccelerateAndKick<D>{particles_, forces_, gravity_, dt, case_.solver.damping}, recorded);
+  if (recorded) recorded_step_ = steps_;
   timer_.mark("forces and kick");
   motion_.hold(particles_, time_, dt, case_.solver.damping);
   if (case_.solver.damping > 0.0) count_dissipation(dt);
@@ -143,11 +147,21 @@ const Totals& SolidSimulation<D>::totals() {
 }
 
 template <int D>
-const RecordedState& SolidSimulation<D>::record() {
+RecordedState& SolidSimulation<D>::room_for_record() {
   if (!record_) record_ = std::make_unique<RecordedState>(particles_.slots);
-  if (recorded_step_ != steps_) solid_.record(particles_, *record_);
-  recorded_step_ = steps_;
+  if (wants_hourglass_error_ && record_->hourglass_error.size() == 0) {
+    record_->hourglass_error = AlignedArray<double>(particles_.slots);
+    recorded_step_ = -1;
+  }
   return *record_;
+}
+
+template <int D>
+const RecordedState& SolidSimulation<D>::record() {
+  RecordedState& state = room_for_record();
+  if (recorded_step_ != steps_) solid_.record(particles_, state);
+  recorded_step_ = steps_;
+  return state;
 }
 
 template <int D>

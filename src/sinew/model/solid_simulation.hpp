@@ -21,6 +21,7 @@ class SolidSimulation final : public Simulation {
   long steps() const override { return steps_; }
   double stable_time_step() const override { return step_size_(summary_); }
   void step(double most) override;
+  void expect_record() override { record_expected_ = true; }
 
   Energies energies() override;
   Momenta momenta() override { return totals().momenta; }
@@ -40,6 +41,7 @@ class SolidSimulation final : public Simulation {
   void count_dissipation(double dt);
   void check_state();
   [[noreturn]] void fail(const std::string& cause);
+  RecordedState& room_for_record();
   const RecordedState& record();
   const Totals& totals();
   void describe(Snapshot& snapshot) const;
@@ -65,6 +67,7 @@ class SolidSimulation final : public Simulation {
   double dissipated_ = 0.0, dissipation_rate_ = 0.0;
   double initial_energy_ = 0.0, initial_gravity_work_ = 0.0;
   std::unique_ptr<RecordedState> record_;
+  bool record_expected_ = false, wants_hourglass_error_ = false;
   Totals totals_;
   long recorded_step_ = -1, totals_step_ = -1;  ///< of which state they are
 };

@@ -94,6 +94,7 @@ void SolidSimulation<D>::fill_snapshot(const std::vector<std::string>& fields, S
     s.fields[f].values.resize(count * quantity.components);
     outputs.push_back({quantity, s.fields[f].values.data()});
   }
+  if (std::find(fields.begin(), fields.end(), "hourglass_error") != fields.end()) wants_hourglass_error_ = true;
   const bool recorded = std::any_of(fields.begin(), fields.end(), [](const std::string& name) { return needs_record(name); });
   fill(outputs, {particles_, solid_, recorded ? &record() : nullptr});
 }

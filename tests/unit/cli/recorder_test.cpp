@@ -18,6 +18,7 @@ class FakeSimulation final : public Simulation {
   long steps() const override { return steps_; }
   double stable_time_step() const override { return time_step; }
   void step(double) override { ++steps_; }
+  void expect_record() override {}
   Energies energies() override { return {1.0, 0.5, 0.0, 0.0, 0.0, 1.0}; }
   Momenta momenta() override { return {}; }
   std::vector<double> probe_values() override { return {time() * time()}; }
