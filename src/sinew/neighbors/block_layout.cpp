@@ -16,6 +16,7 @@ void BlockLayout<D>::find_ghosts(const BlockRange& block) {
   place_of_.resize(particles_.slots, Blocks::nobody);
   for (int slot : slot_at_)
     if (slot != Blocks::nobody) place_of_[slot] = Blocks::nobody;
+  for (int slot : ghosts_) place_of_[slot] = Blocks::nobody;
   block_ = block;
   ghosts_.clear();
   for (int slot = block.begin; slot < block.end; ++slot) {
@@ -45,15 +46,40 @@ void BlockLayout<D>::own_first(const BlockRange& block) {
   give_places();
 }
 
+/// Place in the row, layer and slab.
 template <int D>
-void BlockLayout<D>::by_rows(const BlockRange& block) {
+std::array<std::int64_t, 3> BlockLayout<D>::bins_of(int slot) const {
+  const SlabGrid& grid = grids_[block_.body];
+  const Point X = particles_.reference(slot);
+  const auto bin = [&](int axis) { return static_cast<std::int64_t>(grid.bin(X, axis)); };
+  return {bin(grid.fastest), grid.layers > 1 ? bin(grid.middle) : 0, bin(grid.slowest)};
+}
+
+template <int D>
+bool BlockLayout<D>::on_grid(const BlockRange& block) {
   find_ghosts(block);
-  slot_at_.resize(block.end - block.begin);
-  std::iota(slot_at_.begin(), slot_at_.end(), block.begin);
-  slot_at_.insert(slot_at_.end(), ghosts_.begin(), ghosts_.end());
-  std::sort(slot_at_.begin(), slot_at_.end(), [&](int a, int b) { return particles_.row_place[a] < particles_.row_place[b]; });
-  slot_at_.resize(round_up(static_cast<int>(slot_at_.size())), Blocks::nobody);
+  members_.resize(block.end - block.begin);
+  std::iota(members_.begin(), members_.end(), block.begin);
+  members_.insert(members_.end(), ghosts_.begin(), ghosts_.end());
+  std::array<std::int64_t, 3> low = bins_of(block.begin), size = low;
+  bins_.clear();
+  for (int slot : members_) {
+    bins_.push_back(bins_of(slot));
+    for (int k = 0; k < 3; ++k) low[k] = std::min(low[k], bins_.back()[k]), size[k] = std::max(size[k], bins_.back()[k]);
+  }
+  double places = 1.0;
+  for (int k = 0; k < 3; ++k) places *= static_cast<double>(size[k] = size[k] - low[k] + 1);
+  slot_at_.clear();
+  if (places > 2.0 * static_cast<double>(members_.size()) + 1000.0) return false;
+  slot_at_.assign(round_up(static_cast<int>(places)), Blocks::nobody);
+  for (std::size_t m = 0; m < members_.size(); ++m) {
+    const auto& bin = bins_[m];
+    int& at = slot_at_[((bin[2] - low[2]) * size[1] + bin[1] - low[1]) * size[0] + bin[0] - low[0]];
+    if (at != Blocks::nobody) return slot_at_.clear(), false;
+    at = members_[m];
+  }
   give_places();
+  return true;
 }
 
 template <int D>

@@ -1,8 +1,11 @@
 #pragma once
 /// Gives places to the particles of a block and to its ghosts, while pairs are laid out. One for each thread; it keeps its memory.
 
+#include <array>
+#include <cstdint>
 #include <sinew/neighbors/blocks.hpp>
 #include <sinew/neighbors/pair_list.hpp>
+#include <sinew/particles/order.hpp>
 #include <vector>
 
 namespace sinew {
@@ -10,12 +13,17 @@ namespace sinew {
 template <int D>
 class BlockLayout {
  public:
-  BlockLayout(const Particles<D>& particles, const PairList& list) : particles_(particles), list_(list) {}
+  /// `grids`: of each body.
+  BlockLayout(const Particles<D>& particles, const PairList& list, const std::vector<SlabGrid>& grids)
+      : particles_(particles),
+        list_(list),
+        grids_(grids) {}
 
   /// Own particles from place 0 on, ghosts after them.
   void own_first(const BlockRange& block);
-  /// Own particles and ghosts together in rows: neighbors at one distance in space are at one distance in places, if they stand on a lattice.
-  void by_rows(const BlockRange& block);
+  /// Own particles and ghosts where they stand in the grid of their body, with empty places where nobody is: neighbors at one distance in space are at one
+  /// distance in places, if they stand on a lattice. False if two want one place, or most places would be empty.
+  bool on_grid(const BlockRange& block);
   /// As it was before.
   void restore(const BlockRange& block, const std::vector<int>& slot_at);
 
@@ -32,12 +40,15 @@ class BlockLayout {
 
  private:
   void find_ghosts(const BlockRange& block);
+  std::array<std::int64_t, 3> bins_of(int slot) const;
   void give_places();
 
   const Particles<D>& particles_;
   const PairList& list_;
+  const std::vector<SlabGrid>& grids_;
   BlockRange block_;
-  std::vector<int> ghosts_, slot_at_;
+  std::vector<int> ghosts_, members_, slot_at_;
+  std::vector<std::array<std::int64_t, 3>> bins_;
   std::vector<int> place_of_;  ///< slot -> place
 };
 

@@ -37,7 +37,12 @@ class BlockPairsMaker {
         reader_(particles, radius),
         dictionary_(reader_, pairs_.lattice),
         drafts_(particles.blocks.size()) {
-    for (std::size_t t = 0; t < most_threads(); ++t) layouts_.emplace_back(particles, list);
+    for (const BodyRange& body : particles.bodies) {
+      std::vector<Point> points;
+      for (int slot = body.begin; slot < body.begin + body.count; ++slot) points.push_back(particles.reference(slot));
+      grids_.emplace_back(points, body.spacing, D);
+    }
+    for (std::size_t t = 0; t < most_threads(); ++t) layouts_.emplace_back(particles, list, grids_);
   }
 
   BlockPairs<D> make(bool look_for_lattice) {
@@ -71,7 +76,7 @@ class BlockPairsMaker {
 #pragma omp parallel for schedule(dynamic, 1) if (particles_.slots >= fewest_for_threads)
     for (int b = begin; b < end; ++b) {
       BlockLayout<D>& layout = layouts_[this_thread()];
-      layout.by_rows(particles_.blocks[b]);
+      if (!layout.on_grid(particles_.blocks[b])) continue;
       drafts_[b].take(layout);
       shapes[b - begin] = reader_.read(layout, drafts_[b].slices);
     }
@@ -182,6 +187,7 @@ class BlockPairsMaker {
   const LatticeReader<D> reader_;
   LatticeDictionary<D> dictionary_;
   std::vector<Draft> drafts_;
+  std::vector<SlabGrid> grids_;
   std::vector<BlockLayout<D>> layouts_;
 };
 

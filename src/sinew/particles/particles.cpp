@@ -35,7 +35,7 @@ int Particles<D>::block_of(int slot) const {
 template <int D>
 std::size_t Particles<D>::bytes() const {
   return position.bytes() + displacement.bytes() + velocity.bytes() + acceleration.bytes() + volume.bytes() + mass.bytes() +
-         (user_index.size() + slot_of.size() + row_place.size()) * sizeof(int);
+         (user_index.size() + slot_of.size()) * sizeof(int);
 }
 
 template <int D>
@@ -53,7 +53,6 @@ Particles<D> make_particles(const std::vector<BodyPoints>& bodies, double thickn
   p.volume = AlignedArray<double>(slots);
   p.mass = AlignedArray<double>(slots);
   p.user_index.assign(slots, -1);
-  p.row_place.assign(slots, 0);
   p.slot_of.reserve(p.count);
 
   for (std::size_t b = 0; b < bodies.size(); ++b) {
@@ -74,7 +73,6 @@ Particles<D> make_particles(const std::vector<BodyPoints>& bodies, double thickn
       p.volume[slot] = points.volume[point];
       p.mass[slot] = bodies[b].density * thickness * points.volume[point];
       p.user_index[slot] = first + point;
-      p.row_place[slot] = order.row_place[slot - range.begin];
       p.slot_of[first + point] = slot;
     }
   }

@@ -40,7 +40,6 @@ struct Particles {
   AlignedArray<double> mass;    ///< [mass]; 0 for padding
   std::vector<int> user_index;  ///< slot -> number in the user's order, -1 for padding
   std::vector<int> slot_of;     ///< number in the user's order -> slot
-  std::vector<int> row_place;   ///< slot -> place in the order of rows of its body, as if there were no blocks
 
   Point reference(int slot) const;  ///< X, with z = 0 in two dimensions
   Point current(int slot) const;    ///< x = X + u
