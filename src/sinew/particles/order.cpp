@@ -52,23 +52,7 @@ class Bisection {
       block_end.push_back(static_cast<int>(count) + (block_end.empty() ? 0 : block_end.back()));
       return;
     }
-    const std::size_t wanted = count * (blocks / 2) / blocks;
-    std::size_t left = wanted;
-    const auto [axis, low, high] = longest_axis(members, order);
-    if (high > low) {
-      std::vector<std::size_t> below(high - low + 2, 0);  // members in bins before low + k
-      for (int m : members) ++below[grid_.bin(points_[order[m]], axis) - low + 1];
-      for (std::size_t k = 1; k < below.size(); ++k) below[k] += below[k - 1];
-      std::size_t best = 0;
-      const auto off = [&](std::size_t k) { return below[k] > wanted ? below[k] - wanted : wanted - below[k]; };
-      for (std::size_t k = 0; k < below.size(); ++k)
-        if (off(k) < off(best) || below[best] == 0) best = k;
-      if (below[best] == count)
-        while (below[best] == count) --best;
-      left = below[best];
-      std::stable_partition(members.begin(), members.end(),
-                            [&](int m) { return grid_.bin(points_[order[m]], axis) - low < best; });
-    }
+    const std::size_t left = part(members, order, count * (blocks / 2) / blocks);
     cut(members.first(left), order, block_end);
     cut(members.subspan(left), order, block_end);
   }
@@ -78,6 +62,22 @@ class Bisection {
     int axis;
     std::uint64_t low, high;  ///< first and last bin
   };
+  /// Moves about as many members as wanted to the front, all of those that lie before a plane. Returns how many.
+  std::size_t part(std::span<int> members, const std::vector<int>& order, std::size_t wanted) const {
+    const Extent e = longest_axis(members, order);
+    if (e.high == e.low) return wanted;  // nothing lies between them
+    const auto bin = [&](int m) { return grid_.bin(points_[order[m]], e.axis) - e.low; };
+    std::vector<std::size_t> below(e.high - e.low + 2, 0);  // members in bins before the k-th
+    for (int m : members) ++below[bin(m) + 1];
+    for (std::size_t k = 1; k < below.size(); ++k) below[k] += below[k - 1];
+    const auto off = [&](std::size_t k) { return below[k] > wanted ? below[k] - wanted : wanted - below[k]; };
+    std::size_t best = 1;  // the first and the last bin hold somebody: both sides of every plane in between do
+    for (std::size_t k = 2; k + 1 < below.size(); ++k)
+      if (off(k) < off(best)) best = k;
+    std::stable_partition(members.begin(), members.end(), [&](int m) { return bin(m) < best; });
+    return below[best];
+  }
+
   Extent longest_axis(std::span<const int> members, const std::vector<int>& order) const {
     Extent longest{0, 0, 0};
     double most = -1.0;
