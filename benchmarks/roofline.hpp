@@ -82,11 +82,12 @@ double flops_of_pair(const Method& m) {
 /// Bytes that one particle moves between main memory and the caches in a step, if each array passes once for each pass that needs it.
 template <int D>
 double bytes_of_particle(const Method& m, double neighbors) {
-  constexpr double vector = 8 * D, row = 8 * (D == 3 ? 4 : 2), symmetric = 8 * D * (D + 1) / 2;
+  constexpr double vector = 8 * D, symmetric = 8 * D * (D + 1) / 2;
   const double integration = 2 * vector + 2 * vector + vector + 2 * vector + 2 * vector + 8;  // u, v, a; v, a, mass
-  if (m.lattice) return integration + vector + 4 * vector + 0.5;                              // u; two streams; pattern
-  const double pairs = neighbors * (4.0 + m.weight_bytes * (m.conservative ? 1 : 2));
-  return integration + pairs + symmetric + 24 + vector + 4 * row + 2 * row + 4 * row;  // constants; u to rows; rows; two streams
+  const double forces = 4 * vector;                           // read and written by block and kick
+  if (m.lattice) return integration + vector + forces + 0.5;  // u; pattern
+  const double pairs = neighbors * (2.0 + m.weight_bytes * (m.conservative ? 1 : 2));
+  return integration + pairs + symmetric + 24 + 2 * vector + forces;  // constants; u, X
 }
 
 }  // namespace sinew::benchmark
