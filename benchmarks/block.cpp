@@ -143,7 +143,7 @@ std::vector<int> numbers(std::string_view text) {
 
 constexpr std::string_view usage =
     "benchmark_block [--size N,...] [--size2 N,...] [--threads N,...] [--repeats N] [--form conservative|half]\n"
-    "                [--weights stored|single|computed] [--lattice auto|off]\n"
+    "                [--weights stored|single|computed] [--lattice auto|off] [--block N]\n"
     "--size: edge of the 3D block in particles, --size2: of the 2D one; 0: none. A comma separates several.\n";
 
 bool read(std::string_view option, std::string_view value, Options& o) {
@@ -152,6 +152,7 @@ bool read(std::string_view option, std::string_view value, Options& o) {
   if (option == "--threads") return o.threads = numbers(value), true;
   if (option == "--repeats") return o.repeats = std::max(1, numbers(value)[0]), true;
   if (option == "--form") return o.conservative = value == "conservative", value == "conservative" || value == "half";
+  if (option == "--block") return largest_block = std::max(1, numbers(value)[0]), true;
   if (option == "--lattice") return o.lattice = value == "auto", value == "auto" || value == "off";
   for (WeightStorage storage : {WeightStorage::stored, WeightStorage::single, WeightStorage::computed})
     if (option == "--weights" && value == name_of(storage)) return o.weights = storage, true;

@@ -29,6 +29,10 @@ static const std::vector<WrongCase> wrong_numbers{
     {"UnknownUnit", "17 MPa", "17 MPs",
      "case.toml:14:18: material \"rubber\": youngs_modulus = \"17 MPs\": unknown unit \"MPs\". Known units: m, kg, g, t, s, min, "
      "h, N, Pa, bar, psi, J, W, Hz, in, ft, lb, rad, deg, %, with the prefixes n, u, m, c, k, M, G, and products such as kg/m^3"},
+    {"UnitInFormula", "17 MPa", "17 MPa * (n < 3)",
+     "case.toml:14:18: material \"rubber\": youngs_modulus = \"17 MPa * (n < 3)\": a formula takes no units. Write plain numbers "
+     "in "
+     "the units of the case"},
     {"UnitOfWrongDimension", "17 MPa", "17 mm",
      "case.toml:14:18: material \"rubber\": youngs_modulus = \"17 mm\": the unit mm does not fit, expected Pa or a unit of the "
      "same kind"},

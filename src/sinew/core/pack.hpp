@@ -15,6 +15,8 @@
 namespace sinew {
 
 inline constexpr int lanes = 8;
+/// The least multiple of eight that is not smaller.
+constexpr int whole_slices(int count) { return (count + lanes - 1) / lanes * lanes; }
 
 /// Eight truth values, all bits set or none.
 struct PackMask {

@@ -100,7 +100,7 @@ class AllWeights {
       SliceVolumes volumes{};
       const int place = source_.pairs.blocks.place_of_slice[slice];
       for (int k = 0; k < lanes; ++k)
-        if (slots[place + k] >= block.begin && slots[place + k] < block.end) volumes[k] = reference.volume[place + k];
+        if (block.owns(slots[place + k])) volumes[k] = reference.volume[place + k];
       fill_slice(slice, volumes, &reference);
     }
   }

@@ -35,10 +35,9 @@ struct BlockReference {
     const int* slots = source.pairs.blocks.slots_of(block);
     for (int place = 0; place < block.places; ++place) {
       const int slot = slots[place];
-      const bool own = slot >= block.begin && slot < block.end;
       for (int c = 0; c < D; ++c) position.at(c, place) = slot < 0 ? 0.0 : source.particles.position.at(c, slot);
       volume[place] = slot < 0 ? 0.0 : source.particles.volume[slot];
-      radius[place] = own ? support_radius[slot] : 1.0;
+      radius[place] = block.owns(slot) ? support_radius[slot] : 1.0;
     }
   }
 };

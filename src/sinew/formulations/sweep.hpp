@@ -26,20 +26,18 @@ class SliceSlots {
  public:
   SliceSlots(const SweepTask<D>& task, int slice)
       : slots_(task.source.pairs.blocks.slots_of(task.block) + task.source.pairs.blocks.place_of_slice[slice]),
-        begin_(task.block.begin),
-        end_(task.block.end),
-        in_a_row_(own(0) && own(lanes - 1) && slots_[lanes - 1] - slots_[0] == lanes - 1) {}
+        block_(task.block),
+        in_a_row_(block_.owns(slots_[0]) && block_.owns(slots_[lanes - 1]) && slots_[lanes - 1] - slots_[0] == lanes - 1) {}
 
   void store(const Pack& values, double* by_slot) const {
     if (in_a_row_) return values.store_unaligned(by_slot + slots_[0]);
     for (int k = 0; k < lanes; ++k)
-      if (own(k)) by_slot[slots_[k]] = values[k];
+      if (block_.owns(slots_[k])) by_slot[slots_[k]] = values[k];
   }
 
  private:
-  bool own(int k) const { return slots_[k] >= begin_ && slots_[k] < end_; }
   const int* slots_;
-  int begin_, end_;
+  const Block& block_;
   bool in_a_row_;
 };
 

@@ -102,24 +102,31 @@ ForceSummary TotalLagrangian<D>::total() const {
   return total;
 }
 
+/// One sweep over all blocks: keep(block, scratch) takes what a block has added up, complete(number) is called once nobody adds to that block any more.
 template <int D>
-ForceSummary TotalLagrangian<D>::internal_forces(const Particles<D>& particles, VectorField<D>& forces, Finish finish,
-                                                 RecordedState* record) const {
+template <class Keep, class Complete>
+ForceSummary TotalLagrangian<D>::sweep(const Particles<D>& particles, RecordedState* record, Keep&& keep,
+                                       Complete&& complete) const {
   prepare_scratch();
   const PairSource<D> source{particles, pairs_};
   const WeightOptions weights = weight_options();
-  for_each_block(
-      pairs_.blocks, countdown_,
-      [&](int number) {
-        const SweepTask<D> task = task_of(number, source, weights, record);
-        summaries_[number] = sweep_block<D>(task);
-        task.scratch.hand_out(task.block, forces, spilled_);
-      },
-      [&](int number) {
-        add_spilled(pairs_.blocks, number, spilled_, forces);
-        finish(pairs_.blocks.all[number].begin, pairs_.blocks.all[number].end);
-      });
+  const auto work = [&](int number) {
+    const SweepTask<D> task = task_of(number, source, weights, record);
+    summaries_[number] = sweep_block<D>(task);
+    keep(task.block, task.scratch);
+  };
+  for_each_block(pairs_.blocks, countdown_, work, complete);
   return total();
+}
+
+template <int D>
+ForceSummary TotalLagrangian<D>::internal_forces(const Particles<D>& particles, VectorField<D>& forces, Finish finish,
+                                                 RecordedState* record) const {
+  const auto hand_out = [&](const Block& block, BlockScratch<D>& scratch) { scratch.hand_out(block, forces, spilled_); };
+  return sweep(particles, record, hand_out, [&](int number) {
+    add_spilled(pairs_.blocks, number, spilled_, forces);
+    finish(pairs_.blocks.all[number].begin, pairs_.blocks.all[number].end);
+  });
 }
 
 template <int D>
@@ -129,18 +136,8 @@ ForceSummary TotalLagrangian<D>::internal_forces(const Particles<D>& particles, 
 
 template <int D>
 ForceSummary TotalLagrangian<D>::record(const Particles<D>& particles, RecordedState& state) const {
-  prepare_scratch();
-  const PairSource<D> source{particles, pairs_};
-  const WeightOptions weights = weight_options();
-  for_each_block(
-      pairs_.blocks, countdown_,
-      [&](int number) {
-        const SweepTask<D> task = task_of(number, source, weights, &state);
-        summaries_[number] = sweep_block<D>(task);
-        task.scratch.discard(task.block);
-      },
-      [](int) {});
-  return total();
+  const auto discard = [](const Block& block, BlockScratch<D>& scratch) { scratch.discard(block); };
+  return sweep(particles, &state, discard, [](int) {});
 }
 
 template <int D>
@@ -159,7 +156,9 @@ Vec<double, D> TotalLagrangian<D>::toward_neighbors(const Particles<D>& particle
 
 template <int D>
 std::size_t TotalLagrangian<D>::bytes() const {
-  return pairs_.bytes() + weights_.bytes() + spilled_.bytes();
+  std::size_t bytes = pairs_.bytes() + weights_.bytes() + spilled_.bytes();
+  for (const BlockScratch<D>& scratch : scratches_) bytes += scratch.bytes();
+  return bytes;
 }
 
 template class TotalLagrangian<2>;

@@ -52,8 +52,10 @@ struct SweepTask;
 template <int D>
 class TotalLagrangian {
  public:
-  /// `support_radius`: per slot. The particles stay with the caller; only their reference configuration is used here.
+  /// `support_radius`: per slot [length]. The particles stay with the caller; only their reference configuration is used here.
   TotalLagrangian(const Particles<D>& particles, const std::vector<double>& support_radius, TotalLagrangianOptions options);
+  TotalLagrangian(const TotalLagrangian&) = delete;
+  TotalLagrangian& operator=(const TotalLagrangian&) = delete;
 
   /// Called with slots [begin, end) whose forces are complete, as soon as they are, from any thread.
   using Finish = FunctionRef<void(int begin, int end)>;
@@ -75,6 +77,8 @@ class TotalLagrangian {
 
  private:
   SweepTask<D> task_of(int number, const PairSource<D>& source, const WeightOptions& weights, RecordedState* record) const;
+  template <class Keep, class Complete>
+  ForceSummary sweep(const Particles<D>& particles, RecordedState* record, Keep&& keep, Complete&& complete) const;
   ForceSummary total() const;
 
   WeightOptions weight_options() const;

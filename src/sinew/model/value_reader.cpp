@@ -59,6 +59,8 @@ double convert(const Quantity& quantity, const Node& node, const FieldSpec& spec
     if (!names.empty() && (reading.constants.contains(names[0]) || is_reserved_name(names[0])))
       spec.fail(node.place, given + "an operator is missing after " + number_text(quantity.value) + "; to multiply, write \"" +
                                 number_text(quantity.value) + "*" + quantity.unit + "\"");
+    if (quantity.unit.find_first_of("()<>=+") != std::string::npos)
+      spec.fail(node.place, given + "a formula takes no units. Write plain numbers in the units of the case");
     spec.fail(node.place,
               given + "unknown unit " + quoted_text(quantity.unit) +
                   ". Known units: m, kg, g, t, s, min, h, N, Pa, bar, psi, J, W, Hz, in, ft, lb, rad, deg, %, with the prefixes "

@@ -5,12 +5,6 @@
 
 namespace sinew {
 
-namespace {
-
-constexpr int round_up(int count) { return (count + lanes - 1) / lanes * lanes; }
-
-}  // namespace
-
 template <int D>
 void BlockLayout<D>::find_ghosts(const BlockRange& block) {
   place_of_.resize(particles_.slots, Blocks::nobody);
@@ -22,7 +16,7 @@ void BlockLayout<D>::find_ghosts(const BlockRange& block) {
   for (int slot = block.begin; slot < block.end; ++slot) {
     const int* next = list_.neighbor.data() + lanes * list_.first_entry[slot / lanes] + slot % lanes;
     for (int n = 0; n < list_.neighbor_count[slot]; ++n, next += lanes)
-      if ((*next < block.begin || *next >= block.end) && place_of_[*next] == Blocks::nobody) {
+      if (!block.owns(*next) && place_of_[*next] == Blocks::nobody) {
         place_of_[*next] = 0;
         ghosts_.push_back(*next);
       }
@@ -40,9 +34,9 @@ void BlockLayout<D>::own_first(const BlockRange& block) {
   find_ghosts(block);
   std::sort(ghosts_.begin(), ghosts_.end());
   const int own = block.end - block.begin;
-  slot_at_.assign(round_up(round_up(own) + static_cast<int>(ghosts_.size())), Blocks::nobody);
+  slot_at_.assign(whole_slices(whole_slices(own) + static_cast<int>(ghosts_.size())), Blocks::nobody);
   std::iota(slot_at_.begin(), slot_at_.begin() + own, block.begin);
-  std::copy(ghosts_.begin(), ghosts_.end(), slot_at_.begin() + round_up(own));
+  std::copy(ghosts_.begin(), ghosts_.end(), slot_at_.begin() + whole_slices(own));
   give_places();
 }
 
@@ -70,8 +64,9 @@ bool BlockLayout<D>::on_grid(const BlockRange& block) {
   double places = 1.0;
   for (int k = 0; k < 3; ++k) places *= static_cast<double>(size[k] = size[k] - low[k] + 1);
   slot_at_.clear();
-  if (places > 2.0 * static_cast<double>(members_.size()) + 1000.0) return false;
-  slot_at_.assign(round_up(static_cast<int>(places)), Blocks::nobody);
+  const double most = std::min(2.0 * static_cast<double>(members_.size()) + 1000.0, static_cast<double>(place_limit));
+  if (places > most) return false;
+  slot_at_.assign(whole_slices(static_cast<int>(places)), Blocks::nobody);
   for (std::size_t m = 0; m < members_.size(); ++m) {
     const auto& bin = bins_[m];
     int& at = slot_at_[((bin[2] - low[2]) * size[1] + bin[1] - low[1]) * size[0] + bin[0] - low[0]];

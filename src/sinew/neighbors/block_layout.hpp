@@ -13,7 +13,7 @@ namespace sinew {
 template <int D>
 class BlockLayout {
  public:
-  /// `grids`: of each body.
+  /// `grids`: of each body, when places on a grid are asked for.
   BlockLayout(const Particles<D>& particles, const PairList& list, const std::vector<SlabGrid>& grids)
       : particles_(particles),
         list_(list),
@@ -22,7 +22,8 @@ class BlockLayout {
   /// Own particles from place 0 on, ghosts after them.
   void own_first(const BlockRange& block);
   /// Own particles and ghosts where they stand in the grid of their body, with empty places where nobody is: neighbors at one distance in space are at one
-  /// distance in places, if they stand on a lattice. False if two want one place, or most places would be empty.
+  /// distance in places, if they stand on a lattice. False if two want one place, or there would be
+  /// too many places or too many empty ones.
   bool on_grid(const BlockRange& block);
   /// As it was before.
   void restore(const BlockRange& block, const std::vector<int>& slot_at);
@@ -30,7 +31,7 @@ class BlockLayout {
   const BlockRange& block() const { return block_; }
   /// Place -> slot; `nobody`: padding. Whole slices.
   const std::vector<int>& slot_at() const { return slot_at_; }
-  bool own(int place) const { return slot_at_[place] >= block_.begin && slot_at_[place] < block_.end; }
+  bool own(int place) const { return block_.owns(slot_at_[place]); }
   /// Places of the neighbors of an own particle, ascending.
   void neighbors(int place, std::vector<int>& places) const;
   /// Places at which slices with own particles begin.

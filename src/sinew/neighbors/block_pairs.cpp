@@ -37,16 +37,12 @@ class BlockPairsMaker {
         reader_(particles, radius),
         dictionary_(reader_, pairs_.lattice),
         drafts_(particles.blocks.size()) {
-    for (const BodyRange& body : particles.bodies) {
-      std::vector<Point> points;
-      for (int slot = body.begin; slot < body.begin + body.count; ++slot) points.push_back(particles.reference(slot));
-      grids_.emplace_back(points, body.spacing, D);
-    }
     for (std::size_t t = 0; t < most_threads(); ++t) layouts_.emplace_back(particles, list, grids_);
   }
 
   BlockPairs<D> make(bool look_for_lattice) {
     const int count = static_cast<int>(drafts_.size());
+    if (look_for_lattice) make_grids();
     for (int first = 0; look_for_lattice && first < count; first += together)
       read_lattices(first, std::min(first + together, count));
     for_each([&](int b, BlockLayout<D>& layout) {
@@ -69,6 +65,14 @@ class BlockPairsMaker {
     const int count = static_cast<int>(drafts_.size());
 #pragma omp parallel for schedule(dynamic, 1) if (particles_.slots >= fewest_for_threads)
     for (int b = 0; b < count; ++b) work(b, layouts_[this_thread()]);
+  }
+
+  void make_grids() {
+    for (const BodyRange& body : particles_.bodies) {
+      std::vector<Point> points;
+      for (int slot = body.begin; slot < body.begin + body.count; ++slot) points.push_back(particles_.reference(slot));
+      grids_.emplace_back(points, body.spacing, D);
+    }
   }
 
   void read_lattices(int begin, int end) {
@@ -137,8 +141,7 @@ class BlockPairsMaker {
         std::size_t longest = 0;
         const int* slots = blocks.slots_of(block) + blocks.place_of_slice[slice];
         for (int k = 0; pairs_.listed(slice) && k < lanes; ++k)
-          if (slots[k] >= block.begin && slots[k] < block.end)
-            longest = std::max<std::size_t>(longest, list_.neighbor_count[slots[k]]);
+          if (block.owns(slots[k])) longest = std::max<std::size_t>(longest, list_.neighbor_count[slots[k]]);
         pairs_.first_entry.push_back(pairs_.first_entry.back() + longest);
       }
   }
@@ -197,7 +200,11 @@ template <int D>
 std::vector<int> BlockPairs<D>::neighbors(int slot, const Particles<D>& particles) const {
   const Block& block = blocks.all[particles.block_of(slot)];
   const int* slots = blocks.slots_of(block);
-  const int place = static_cast<int>(std::find(slots, slots + block.places, slot) - slots);
+  const auto runs = blocks.runs.begin();
+  const auto run =
+      std::upper_bound(runs + block.first_own, runs + block.first_ghost, slot, [](int s, const Run& r) { return s < r.slot; }) -
+      1;
+  const int place = run->place + slot - run->slot;
   const auto begin = blocks.place_of_slice.begin();
   const auto after = std::upper_bound(begin + block.first_slice, begin + block.end_slice, place);
   const int slice = static_cast<int>(after - begin) - 1, lane = place % lanes;

@@ -2,18 +2,12 @@
 /// The pairs of all blocks. A slice, eight particles at consecutive places of a block, has a lattice pattern or a list (sliced ELLPACK): entry (s, k) holds
 /// the place of the k-th neighbor of each of its particles. Rows that end early are filled with the particle itself.
 
-#include <cstdint>
 #include <sinew/neighbors/blocks.hpp>
 #include <sinew/neighbors/lattice_patterns.hpp>
 #include <sinew/neighbors/pair_list.hpp>
 #include <vector>
 
 namespace sinew {
-
-/// A place of a block. Two bytes a pair instead of four; a block and its ghosts, of some 30 000 particles in a usual support, are never so many that they
-/// do not fit, unless supports are several times as large. Tests lower the limit.
-using PlaceIndex = std::uint16_t;
-inline std::size_t place_limit = std::size_t{1} << 16;
 
 template <int D>
 struct BlockPairs {

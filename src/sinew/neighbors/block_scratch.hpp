@@ -14,7 +14,7 @@ class BlockScratch {
   static constexpr int numbers_kept = 2 * D + 2;  ///< packs of a listed pair that its first visit may keep
 
   /// Room for every block.
-  explicit BlockScratch(const BlockPairs<D>& pairs) : pairs_(pairs), margin_(round_up(pairs.lattice.farthest) + lanes) {
+  explicit BlockScratch(const BlockPairs<D>& pairs) : pairs_(pairs), margin_(whole_slices(pairs.lattice.farthest) + lanes) {
     const auto places = static_cast<std::size_t>(pairs.blocks.most_places());
     if (pairs.lattice.slices() > 0) displacement_ = forces_ = VectorField<D>(places + 2 * margin_);
     if (pairs.entries() == 0) return;
@@ -77,8 +77,6 @@ class BlockScratch {
   }
 
  private:
-  static constexpr int round_up(int count) { return (count + lanes - 1) / lanes * lanes; }
-
   template <class Use>
   void for_each_run(int begin, int end, Use&& use) const {
     for (int r = begin; r < end; ++r) use(pairs_.blocks.runs[r]);

@@ -5,11 +5,17 @@
 /// gives the same bits.
 
 #include <atomic>
+#include <cstdint>
 #include <sinew/neighbors/threads.hpp>
 #include <sinew/particles/particles.hpp>
 #include <vector>
 
 namespace sinew {
+
+/// A place of a block. Two bytes a pair instead of four; a block and its ghosts, of some 30 000 particles in a usual support, are never so many that they
+/// do not fit, unless supports are several times as large. Tests lower the limit.
+using PlaceIndex = std::uint16_t;
+inline std::size_t place_limit = std::size_t{1} << 16;
 
 /// Slots [slot, slot + length) at places [place, place + length) of a block. Ghosts have room for their forces from `spill` on.
 struct Run {
@@ -24,6 +30,8 @@ struct Block {
   int first_own = 0, first_ghost = 0, end_runs = 0;  ///< runs of own particles, then of ghosts
   int first_slice = 0, end_slice = 0;                ///< slices in which it has particles of its own
   bool has_lattice = false, has_list = false;        ///< slices with a pattern, without
+
+  bool owns(int slot) const { return slot >= begin && slot < end; }
 };
 
 /// Runs of ghosts of block `from` that block `to` owns.

@@ -132,11 +132,11 @@ BlockOrder block_order(std::span<const Point> points, double spacing, int dimens
   const std::vector<int> rows = row_order(points, spacing, dimension);
   const SlabGrid grid(points, spacing, dimension);
   BlockOrder order;
-  order.row_place.resize(points.size());
-  std::iota(order.row_place.begin(), order.row_place.end(), 0);
-  if (!points.empty()) Bisection(points, grid, most).cut(order.row_place, rows, order.block_end);
+  std::vector<int> places(points.size());
+  std::iota(places.begin(), places.end(), 0);
+  if (!points.empty()) Bisection(points, grid, most).cut(places, rows, order.block_end);
   order.number.reserve(points.size());
-  for (int place : order.row_place) order.number.push_back(rows[place]);
+  for (int place : places) order.number.push_back(rows[place]);
   return order;
 }
 

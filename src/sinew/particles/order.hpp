@@ -46,7 +46,6 @@ std::vector<int> row_order(std::span<const Point> points, double spacing, int di
 /// Points in computing order.
 struct BlockOrder {
   std::vector<int> number;     ///< numbers of the points, block after block, in each by rows
-  std::vector<int> row_place;  ///< of each of these, its place in row_order
   std::vector<int> block_end;  ///< how many points the blocks up to this one have
 };
 

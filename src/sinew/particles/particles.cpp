@@ -43,7 +43,7 @@ Particles<D> make_particles(const std::vector<BodyPoints>& bodies, double thickn
   Particles<D> p;
   for (const BodyPoints& body : bodies) {
     const int count = static_cast<int>(body.points->size());
-    const int padded = (count + lanes - 1) / lanes * lanes;
+    const int padded = whole_slices(count);
     p.bodies.push_back({body.name, p.slots, p.slots + padded, count, body.spacing, body.density});
     p.slots += padded;
     p.count += count;

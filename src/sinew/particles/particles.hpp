@@ -21,6 +21,8 @@ struct BodyRange {
 /// Slots [begin, end) of a block, a compact piece of a body.
 struct BlockRange {
   int body = 0, begin = 0, end = 0;
+
+  bool owns(int slot) const { return slot >= begin && slot < end; }
 };
 /// Particles in a block at most: little enough for the caches, enough to have few neighbors outside. A constant of the program, so that
 /// sums have the same order everywhere. Tests lower it.

@@ -1,8 +1,7 @@
 #pragma once
 /// One vector a particle, component by component: all x, then all y, then all z. Eight particles in a row are one vector register, and what
 /// lies at a fixed distance in the computing order is a plain (unaligned) load away. The distance between components is an odd number of
-/// cache lines, so that the components of a particle never compete for the same place in a cache. A line of zeros lies before the first and after
-/// the last value of each component: who reads eight in a row may begin up to seven early.
+/// cache lines, so that the components of a particle never compete for the same place in a cache.
 
 #include <algorithm>
 #include <sinew/core/vec.hpp>
@@ -14,12 +13,10 @@ template <int D>
 class VectorField {
  public:
   VectorField() = default;
-  explicit VectorField(std::size_t slots)
-      : stride_(((slots / per_line + 1) | 1) * per_line),
-        data_(slots ? D * stride_ + per_line : 0) {}
+  explicit VectorField(std::size_t slots) : stride_(((slots / per_line + 1) | 1) * per_line), data_(slots ? D * stride_ : 0) {}
 
-  double* component(int c) { return data_.data() + per_line + c * stride_; }
-  const double* component(int c) const { return data_.data() + per_line + c * stride_; }
+  double* component(int c) { return data_.data() + c * stride_; }
+  const double* component(int c) const { return data_.data() + c * stride_; }
   double& at(int c, int slot) { return component(c)[slot]; }
   double at(int c, int slot) const { return component(c)[slot]; }
 
