@@ -10,12 +10,12 @@ namespace sinew {
 namespace {
 
 /// What is known of a block before all blocks are put together.
+template <int D>
 struct Draft {
-  std::vector<int> slot_at, slices, patterns;
+  std::vector<int> slot_at, slices;
   std::vector<Run> own, ghosts;
-  bool lattice = false;
+  LatticePatterns<D> lattice;  ///< of this block alone
 
-  template <int D>
   void take(const BlockLayout<D>& layout) {
     slot_at = layout.slot_at();
     slices = layout.slices();
@@ -26,8 +26,6 @@ struct Draft {
   }
 };
 
-constexpr int together = 16;  ///< blocks that are read before the dictionary grows
-
 template <int D>
 class BlockPairsMaker {
  public:
@@ -35,23 +33,21 @@ class BlockPairsMaker {
       : particles_(particles),
         list_(list),
         reader_(particles, radius),
-        dictionary_(reader_, pairs_.lattice),
         drafts_(particles.blocks.size()) {
     for (std::size_t t = 0; t < most_threads(); ++t) layouts_.emplace_back(particles, list, grids_);
   }
 
   BlockPairs<D> make(bool look_for_lattice) {
-    const int count = static_cast<int>(drafts_.size());
     if (look_for_lattice) make_grids();
-    for (int first = 0; look_for_lattice && first < count; first += together)
-      read_lattices(first, std::min(first + together, count));
     for_each([&](int b, BlockLayout<D>& layout) {
-      if (drafts_[b].lattice) return;
+      Draft<D>& draft = drafts_[b];
+      if (look_for_lattice && is_lattice(particles_.blocks[b], layout, draft)) return;
       layout.own_first(particles_.blocks[b]);
-      drafts_[b].take(layout);
-      drafts_[b].patterns.assign(drafts_[b].slices.size(), LatticePatterns<D>::none);
+      draft.take(layout);
+      draft.lattice = {};
+      draft.lattice.of_slice.assign(draft.slices.size(), LatticePatterns<D>::none);
     });
-    for (int b = 0; b < count; ++b) append(b);
+    for (int b = 0; b < static_cast<int>(drafts_.size()); ++b) append(b);
     count_entries();
     pairs_.places = AlignedArray<PlaceIndex>(lanes * pairs_.entries());
     for_each([&](int b, BlockLayout<D>& layout) { write_entries(b, layout); });
@@ -75,34 +71,22 @@ class BlockPairsMaker {
     }
   }
 
-  void read_lattices(int begin, int end) {
-    std::vector<BlockShapes<D>> shapes(end - begin);
-#pragma omp parallel for schedule(dynamic, 1) if (particles_.slots >= fewest_for_threads)
-    for (int b = begin; b < end; ++b) {
-      BlockLayout<D>& layout = layouts_[this_thread()];
-      if (!layout.on_grid(particles_.blocks[b])) continue;
-      drafts_[b].take(layout);
-      shapes[b - begin] = reader_.read(layout, drafts_[b].slices);
-    }
-    for (int b = begin; b < end; ++b) number(shapes[b - begin], drafts_[b]);
-  }
-
-  /// Gives patterns to the slices of a block, if most of them have one.
-  void number(const BlockShapes<D>& shapes, Draft& draft) {
+  /// Gives patterns to the slices of a block; true if most of them have one. Depends on the block and its ghosts alone.
+  bool is_lattice(const BlockRange& block, BlockLayout<D>& layout, Draft<D>& draft) const {
+    if (!layout.on_grid(block)) return false;
+    draft.take(layout);
+    const BlockShapes<D> shapes = reader_.read(layout, draft.slices);
+    LatticeDictionary<D> dictionary(reader_, draft.lattice);
     std::vector<int> pattern;
     for (const SliceShape<D>& shape : shapes.distinct)
-      pattern.push_back(shape.offsets.empty() ? LatticePatterns<D>::none : dictionary_.number_of(shape));
-    std::size_t found = 0;
-    for (int shape : shapes.of_slice) {
-      draft.patterns.push_back(pattern[shape]);
-      found += pattern[shape] != LatticePatterns<D>::none ? 1U : 0U;
-    }
-    draft.lattice = !draft.patterns.empty() && 2 * found >= draft.slices.size();
+      pattern.push_back(shape.offsets.empty() ? LatticePatterns<D>::none : dictionary.number_of(shape));
+    for (int shape : shapes.of_slice) draft.lattice.of_slice.push_back(pattern[shape]);
+    return !shapes.of_slice.empty() && 2 * static_cast<std::size_t>(draft.lattice.slices()) >= draft.slices.size();
   }
 
   void append(int b) {
     Blocks& blocks = pairs_.blocks;
-    const Draft& draft = drafts_[b];
+    const Draft<D>& draft = drafts_[b];
     const BlockRange& range = particles_.blocks[b];
     if (draft.slot_at.size() > place_limit) too_many_places(range);
     Block block{range.body, range.begin, range.end, static_cast<int>(draft.slot_at.size()), blocks.slot_at.size()};
@@ -110,9 +94,8 @@ class BlockPairsMaker {
     block.first_slice = blocks.slices();
     blocks.place_of_slice.insert(blocks.place_of_slice.end(), draft.slices.begin(), draft.slices.end());
     block.end_slice = blocks.slices();
-    std::vector<int>& patterns = pairs_.lattice.of_slice;
-    patterns.insert(patterns.end(), draft.patterns.begin(), draft.patterns.end());
-    for (int pattern : draft.patterns) (pattern == LatticePatterns<D>::none ? block.has_list : block.has_lattice) = true;
+    pairs_.lattice.append(draft.lattice);
+    for (int pattern : draft.lattice.of_slice) (pattern == LatticePatterns<D>::none ? block.has_list : block.has_lattice) = true;
     block.first_own = static_cast<int>(blocks.runs.size());
     blocks.runs.insert(blocks.runs.end(), draft.own.begin(), draft.own.end());
     block.first_ghost = static_cast<int>(blocks.runs.size());
@@ -188,8 +171,7 @@ class BlockPairsMaker {
   const PairList& list_;
   BlockPairs<D> pairs_;
   const LatticeReader<D> reader_;
-  LatticeDictionary<D> dictionary_;
-  std::vector<Draft> drafts_;
+  std::vector<Draft<D>> drafts_;
   std::vector<SlabGrid> grids_;
   std::vector<BlockLayout<D>> layouts_;
 };

@@ -10,6 +10,21 @@ int LatticePatterns<D>::slices() const {
 }
 
 template <int D>
+void LatticePatterns<D>::append(const LatticePatterns& block) {
+  const int first_pattern = static_cast<int>(patterns.size()), first_bond = static_cast<int>(bonds.size());
+  const int first_mirrored = static_cast<int>(mirrored.size()), first_single = static_cast<int>(single.size());
+  for (int pattern : block.of_slice) of_slice.push_back(pattern == none ? none : first_pattern + pattern);
+  for (const LatticePattern& p : block.patterns)
+    patterns.push_back({p.first_mirrored + first_mirrored, p.end_mirrored + first_mirrored, p.first_single + first_single,
+                        p.end_single + first_single});
+  for (const MirrorPair& p : block.mirrored) mirrored.push_back({p.forward, p.backward, p.bond + first_bond});
+  for (const SinglePair& p : block.single) single.push_back({p.offset, p.bond + first_bond, p.members});
+  volumes.insert(volumes.end(), block.volumes.begin(), block.volumes.end());
+  bonds.insert(bonds.end(), block.bonds.begin(), block.bonds.end());
+  farthest = std::max(farthest, block.farthest);
+}
+
+template <int D>
 std::vector<int> LatticePatterns<D>::offsets(int pattern, int lane) const {
   std::vector<int> all;
   const LatticePattern& p = patterns[pattern];

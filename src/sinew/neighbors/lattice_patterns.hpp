@@ -1,7 +1,7 @@
 #pragma once
 /// Regular arrangements without a pair list. Where particles stand in lattice rows, the eight particles of a slice have their neighbors at the
 /// same distances in places and at the same X_ij, but for those that are missing at a surface. Such a slice needs only the number of its pattern; a
-/// body made of boxes has a few hundred of them. A slice that fits no pattern stays in the pair list: which way a slice goes is a property of
+/// block has a few dozen of them. A slice that fits no pattern stays in the pair list: which way a slice goes is a property of
 /// the particles, not of the formulation, and changes results by rounding only.
 
 #include <array>
@@ -50,6 +50,8 @@ struct LatticePatterns {
   int farthest = 0;  ///< largest distance in places
 
   int slices() const;  ///< that have a pattern
+  /// Adds the slices of another block with their patterns. Blocks share none: what a block computes depends on nothing but itself.
+  void append(const LatticePatterns& block);
   /// Distances in places from a particle of a slice to its neighbors.
   std::vector<int> offsets(int pattern, int lane) const;
   std::size_t bytes() const;

@@ -50,7 +50,7 @@ class LatticeReader {
   double tolerance_ = 0.0;
 };
 
-/// The patterns met so far.
+/// The patterns met so far in a block.
 template <int D>
 class LatticeDictionary {
  public:
