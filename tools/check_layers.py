@@ -11,7 +11,7 @@ import sys
 from pathlib import Path
 
 PHYSICS = {"kernels", "corrections", "materials", "stabilization"}
-SOLVER = {"core", "particles", "neighbors"} | PHYSICS
+SOLVER = {"core", "particles", "neighbors", "parallel"} | PHYSICS
 
 # Folder -> the folders it may include besides itself.
 MAY_INCLUDE = {
@@ -19,6 +19,7 @@ MAY_INCLUDE = {
     **{folder: {"core"} for folder in PHYSICS},
     "particles": {"core"},
     "neighbors": {"core", "particles"},
+    "parallel": {"core", "particles", "neighbors"},
     "formulations": SOLVER,
     "time": SOLVER | {"formulations"},
     "model": SOLVER | {"formulations", "time"},
@@ -29,6 +30,8 @@ MAY_INCLUDE = {
 # Third-party header -> the files (patterns under src/sinew) that may include it.
 THIRD_PARTY = {
     "toml++/*": ["io/read_toml.cpp"],
+    "mpi.h": ["parallel/*"],
+    "scotch.h": ["parallel/decomposition.cpp"],
     "hdf5.h": ["io/checkpoint.cpp", "io/hdf5_handle.hpp"],
     "cairo*": ["io/picture*.cpp"],
     "muParser*": ["model/expression.cpp"],

@@ -38,8 +38,7 @@ Particles<D> particles_of(const std::vector<PointSet>& bodies) {
 }
 
 template <int D>
-std::vector<Vec<double, D>> forces_of(const Particles<D>& particles, const TotalLagrangian<D>& solid,
-                                      ForceSummary* summary = nullptr) {
+std::vector<Vec<double, D>> forces_of(Particles<D> particles, const TotalLagrangian<D>& solid, ForceSummary* summary = nullptr) {
   VectorField<D> total(particles.slots);
   const ForceSummary s = solid.internal_forces(particles, total);
   if (summary) *summary = s;
@@ -64,7 +63,7 @@ enum class Share { all, most };
 template <int D>
 void compare_in_blocks(const std::vector<PointSet>& bodies, Share share, double support, int block) {
   const BlockSize size(block);
-  const Particles<D> particles = particles_of<D>(bodies);
+  Particles<D> particles = particles_of<D>(bodies);
   const std::vector<double> radius(particles.slots, support);
   const int count = static_cast<int>(bodies.size());
   for (const char* form : {"conservative", "half"}) {

@@ -130,7 +130,7 @@ TEST(PairList, SameForAnyNumberOfThreads) {
   for (const int n : {1, 2, 5}) {
     omp_set_num_threads(n);
     lists.push_back(build_pair_list(cloud.particles, cloud.radius));
-    radii.push_back(radius_of_neighbors(cloud.particles, 30.0));
+    radii.push_back(radius_of_neighbors(cloud.particles, 30.0, cloud.particles.block_numbers()));
   }
   omp_set_num_threads(threads);
   for (std::size_t k = 1; k < lists.size(); ++k) {
@@ -145,7 +145,7 @@ TEST(PairList, SameForAnyNumberOfThreads) {
 
 TEST(RadiusOfNeighbors, HoldsThatMany) {
   const Cloud<2> cloud = make_cloud<2>(12, 0.3, 1.0, false, 1, 24);
-  const std::vector<double> radius = radius_of_neighbors(cloud.particles, 12.0);
+  const std::vector<double> radius = radius_of_neighbors(cloud.particles, 12.0, cloud.particles.block_numbers());
   const PairList list = build_pair_list(cloud.particles, radius);
   for (int slot : cloud.particles.slot_of) EXPECT_EQ(list.neighbor_count[slot], 12);
 }
@@ -155,7 +155,7 @@ template <int D>
 void check_radii(const std::vector<Point>& positions, int wanted) {
   const PointSet points = points_at(positions);
   const Particles<D> particles = make_particles<D>({{"body", &points, 1.0, 1.0}}, 1.0);
-  const std::vector<double> radius = radius_of_neighbors(particles, wanted);
+  const std::vector<double> radius = radius_of_neighbors(particles, wanted, particles.block_numbers());
   for (int i = 0; i < particles.count; ++i) {
     std::vector<double> distances;
     for (int j = 0; j < particles.count; ++j)

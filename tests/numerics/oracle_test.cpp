@@ -34,7 +34,7 @@ reference::Method<D> reference_method(const AnyMaterial& material, bool correcte
 
 /// Largest difference between fast and slow forces over the largest force.
 template <int D, class Kernel>
-double difference(const Cloud<D>& cloud, const TotalLagrangianOptions& options) {
+double difference(Cloud<D> cloud, const TotalLagrangianOptions& options) {
   const TotalLagrangian<D> solid(cloud.particles, cloud.radius, options);
   VectorField<D> forces(cloud.particles.slots);
   solid.internal_forces(cloud.particles, forces);

@@ -43,6 +43,12 @@ struct Pack {
   SINEW_INLINE void store(double* aligned) const { registers::store(v, aligned); }
   static SINEW_INLINE Pack load_unaligned(const double* from) { return Pack(registers::load_unaligned(from)); }
   SINEW_INLINE void store_unaligned(double* to) const { registers::store_unaligned(v, to); }
+  /// The first `count` of eight; 0 in the other lanes, which are not read.
+  static SINEW_INLINE Pack load_some(const double* from, int count) {
+    Pack p;
+    for (int k = 0; k < count; ++k) p.set(k, from[k]);
+    return p;
+  }
   /// Eight floats as doubles, fastest at a multiple of 32 bytes.
   static SINEW_INLINE Pack load(const float* floats) { return Pack(registers::load(floats)); }
 

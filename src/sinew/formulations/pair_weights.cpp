@@ -39,7 +39,6 @@ PairWeights<D> room_for(const PairSource<D>& source, const WeightOptions& option
     w.single_pairs.gradient = AlignedArray<float>(entries);
     if (options.hourglass_weights()) w.single_pairs.hourglass = AlignedArray<float>(entries);
   }
-  w.radius = AlignedArray<double>(source.particles.slots);
   return w;
 }
 
@@ -147,6 +146,7 @@ template <int D>
 PairWeights<D> make_pair_weights(const PairSource<D>& source, const std::vector<double>& support_radius,
                                  const WeightOptions& options) {
   PairWeights<D> w = room_for(source, options);
+  w.radius = AlignedArray<double>(support_radius.size());
   std::copy(support_radius.begin(), support_radius.end(), w.radius.begin());
   std::visit(
       [&]<class Kernel, class Correction>(const Kernel&, const Correction& correction) {

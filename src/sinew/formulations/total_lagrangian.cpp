@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace sinew {
 
@@ -30,24 +31,46 @@ double hourglass_limit(const Particles<D>& particles, const PairWeights<D>& weig
 
 }  // namespace
 
+bool may_use_lattice(const TotalLagrangianOptions& options) {
+  return options.lattice && std::visit([](const auto& c) { return c.radial; }, options.correction);
+}
+
 template <int D>
 TotalLagrangian<D>::TotalLagrangian(const Particles<D>& particles, const std::vector<double>& support_radius,
                                     TotalLagrangianOptions options)
+    : TotalLagrangian(
+          particles,
+          make_block_pairs(particles, build_pair_list(particles, support_radius), support_radius, may_use_lattice(options)),
+          support_radius, options, Comm(), Halo()) {}
+
+template <int D>
+TotalLagrangian<D>::TotalLagrangian(const Particles<D>& particles, BlockPairs<D> pairs, const std::vector<double>& support_radius,
+                                    TotalLagrangianOptions options, const Comm& comm, Halo halo)
     : options_(std::move(options)),
-      pairs_(make_block_pairs(particles, build_pair_list(particles, support_radius), support_radius,
-                              options_.lattice && weight_options().radial())),
+      comm_(comm),
+      halo_(std::move(halo)),
+      pairs_(std::move(pairs)),
       countdown_(pairs_.blocks),
       summaries_(pairs_.blocks.all.size()),
       spilled_(pairs_.blocks.ghosts) {
+  for (int b = 0; b < pairs_.blocks.count(); ++b) {
+    const Block& block = pairs_.blocks.all[b];
+    const auto runs = std::span(pairs_.blocks.runs).subspan(block.first_ghost, block.end_runs - block.first_ghost);
+    const bool reaches_copies =
+        std::any_of(runs.begin(), runs.end(), [&](const Run& run) { return run.slot >= particles.slots; });
+    (reaches_copies ? edge_ : inner_).push_back(b);
+  }
   choose_weights();
-  weights_ = make_pair_weights<D>({particles, pairs_}, support_radius, weight_options());
+  comm_.together([&] { weights_ = make_pair_weights<D>({particles, pairs_}, support_radius, weight_options()); });
+  comm_.maximum(weights_.most_stiffness);
   if (options_.hourglass) hourglass_time_step_ = hourglass_limit(particles, weights_, options_);
 }
 
 template <int D>
 void TotalLagrangian<D>::choose_weights() {
   const WeightOptions options = weight_options();
-  const std::size_t bytes = pairs_.entries() * lanes * sizeof(double) * (options.hourglass_weights() ? 2 : 1);
+  const auto entries = static_cast<std::size_t>(comm_.sum(static_cast<long>(pairs_.entries())));
+  const std::size_t bytes = entries * lanes * sizeof(double) * (options.hourglass_weights() ? 2 : 1);
   if (!options.radial())
     options_.weights = WeightStorage::stored;
   else if (options.storage == WeightStorage::automatic)
@@ -69,9 +92,9 @@ void TotalLagrangian<D>::prepare_scratch() const {
 }
 
 template <int D>
-SweepTask<D> TotalLagrangian<D>::task_of(int number, const PairSource<D>& source, const WeightOptions& weights,
+SweepTask<D> TotalLagrangian<D>::task_of(int index, const PairSource<D>& source, const WeightOptions& weights,
                                          RecordedState* record) const {
-  const Block& block = pairs_.blocks.all[number];
+  const Block& block = pairs_.blocks.all[index];
   BlockScratch<D>& scratch = scratches_[this_thread()];
   scratch.bring_in(block, source.particles);
   if (block.has_list && options_.weights == WeightStorage::computed)
@@ -99,45 +122,78 @@ ForceSummary TotalLagrangian<D>::total() const {
     total.smallest_jacobian = std::min(total.smallest_jacobian, part.smallest_jacobian);
     total.largest_rate2 = std::max(total.largest_rate2, part.largest_rate2);
   }
+  total.finite = std::isfinite(total.strain_energy);
   return total;
 }
 
-/// One sweep over all blocks: keep(block, scratch) takes what a block has added up, complete(number) is called once nobody adds to that block any more.
+/// Calls work(block) for all blocks. Displacements of copies are on their way during the first half of the blocks that do not need them, forces on
+/// copies during the second half.
 template <int D>
-template <class Keep, class Complete>
-ForceSummary TotalLagrangian<D>::sweep(const Particles<D>& particles, RecordedState* record, Keep&& keep,
-                                       Complete&& complete) const {
+template <class Work>
+void TotalLagrangian<D>::sweep_blocks(Particles<D>& particles, Work&& work, bool forces_go_back) const {
+  const std::size_t half = edge_.empty() ? inner_.size() : inner_.size() / 2;
+  const std::span<const int> inner(inner_), first = inner.first(half), second = inner.subspan(half);
+  const bool many = particles.slots >= fewest_for_threads;
   prepare_scratch();
+  halo_.displacements.start(particles.displacement);
+  for_each_block(first, many, work, [&] { halo_.displacements.progress(); });
+  halo_.displacements.finish();
+  for_each_block(edge_, many, work, [] {});
+  if (forces_go_back) halo_.forces.start(spilled_);
+  for_each_block(second, many, work, [&] { halo_.forces.progress(); });
+  if (forces_go_back) halo_.forces.finish();
+}
+
+template <int D>
+ForceSummary TotalLagrangian<D>::internal_forces(Particles<D>& particles, VectorField<D>& forces, Finish finish,
+                                                 RecordedState* record) const {
   const PairSource<D> source{particles, pairs_};
   const WeightOptions weights = weight_options();
-  const auto work = [&](int number) {
-    const SweepTask<D> task = task_of(number, source, weights, record);
-    summaries_[number] = sweep_block<D>(task);
-    keep(task.block, task.scratch);
+  const auto complete = [&](int index) {
+    add_spilled(pairs_.blocks, index, spilled_, forces);
+    finish(pairs_.blocks.all[index].begin, pairs_.blocks.all[index].end);
   };
-  for_each_block(pairs_.blocks, countdown_, work, complete);
+  const auto work = [&](int index) {
+    const SweepTask<D> task = task_of(index, source, weights, record);
+    summaries_[index] = sweep_block<D>(task);
+    task.scratch.hand_out(task.block, forces, spilled_);
+    countdown_.done(index, complete);
+  };
+  countdown_.start();
+  sweep_blocks(particles, work, true);
+  for_each_block(
+      pairs_.blocks.awaiting, true, [&](int index) { countdown_.received(index, complete); }, [] {});
   return total();
 }
 
 template <int D>
-ForceSummary TotalLagrangian<D>::internal_forces(const Particles<D>& particles, VectorField<D>& forces, Finish finish,
-                                                 RecordedState* record) const {
-  const auto hand_out = [&](const Block& block, BlockScratch<D>& scratch) { scratch.hand_out(block, forces, spilled_); };
-  return sweep(particles, record, hand_out, [&](int number) {
-    add_spilled(pairs_.blocks, number, spilled_, forces);
-    finish(pairs_.blocks.all[number].begin, pairs_.blocks.all[number].end);
-  });
-}
-
-template <int D>
-ForceSummary TotalLagrangian<D>::internal_forces(const Particles<D>& particles, VectorField<D>& forces) const {
+ForceSummary TotalLagrangian<D>::internal_forces(Particles<D>& particles, VectorField<D>& forces) const {
   return internal_forces(particles, forces, [](int, int) {});
 }
 
 template <int D>
-ForceSummary TotalLagrangian<D>::record(const Particles<D>& particles, RecordedState& state) const {
-  const auto discard = [](const Block& block, BlockScratch<D>& scratch) { scratch.discard(block); };
-  return sweep(particles, &state, discard, [](int) {});
+ForceSummary TotalLagrangian<D>::record(Particles<D>& particles, RecordedState& state) const {
+  const PairSource<D> source{particles, pairs_};
+  const WeightOptions weights = weight_options();
+  const auto work = [&](int index) {
+    const SweepTask<D> task = task_of(index, source, weights, &state);
+    summaries_[index] = sweep_block<D>(task);
+    task.scratch.discard(task.block);
+  };
+  sweep_blocks(particles, work, false);
+  return total();
+}
+
+template <int D>
+StoredEnergy TotalLagrangian<D>::stored_energy() const {
+  std::vector<int> numbers;
+  std::vector<double> partial;
+  for (int b = 0; b < pairs_.blocks.count(); ++b) {
+    numbers.push_back(pairs_.blocks.all[b].number);
+    partial.insert(partial.end(), {summaries_[b].strain_energy, summaries_[b].hourglass_energy});
+  }
+  const std::vector<double> sums = sum_over_blocks(comm_, numbers, partial, 2);
+  return {sums[0], sums[1]};
 }
 
 template <int D>

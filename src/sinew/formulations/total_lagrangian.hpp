@@ -14,16 +14,18 @@
 #include <sinew/formulations/material_point.hpp>
 #include <sinew/formulations/pair_weights.hpp>
 #include <sinew/neighbors/block_scratch.hpp>
+#include <sinew/parallel/share.hpp>
 #include <sinew/stabilization/registry.hpp>
 
 namespace sinew {
 
-/// What one evaluation of the forces says about the state, over all particles.
+/// What one evaluation of the forces says about the state, over all particles of this rank.
 struct ForceSummary {
   double strain_energy = 0.0;      ///< sum V psi [energy]; not finite if any particle is not
   double hourglass_energy = 0.0;   ///< measure of the energy in the hourglass stiffness [energy]
   double smallest_jacobian = 1.0;  ///< min det F
   double largest_rate2 = 0.0;      ///< max of (fastest wave speed / length)^2 [1/time^2]
+  bool finite = true;              ///< whether all of it is a number
 };
 
 /// Point-wise results in computing order, for files and probes.
@@ -46,25 +48,40 @@ struct TotalLagrangianOptions {
   bool lattice = true;  ///< look for regular arrangements
 };
 
+/// Energies of all particles of all ranks.
+struct StoredEnergy {
+  double strain = 0.0, hourglass = 0.0;
+};
+
+/// Whether pairs of regular arrangements can go without a list.
+bool may_use_lattice(const TotalLagrangianOptions& options);
+
 template <int D>
 struct SweepTask;
 
 template <int D>
 class TotalLagrangian {
  public:
-  /// `support_radius`: per slot [length]. The particles stay with the caller; only their reference configuration is used here.
+  /// All particles of a case. `support_radius`: per slot [length]. The particles stay with the caller; only their reference configuration is used here.
   TotalLagrangian(const Particles<D>& particles, const std::vector<double>& support_radius, TotalLagrangianOptions options);
+  /// The particles of this rank with their pairs, and how it talks to the others. Radii of copies are not needed. Collective.
+  TotalLagrangian(const Particles<D>& particles, BlockPairs<D> pairs, const std::vector<double>& support_radius,
+                  TotalLagrangianOptions options, const Comm& comm, Halo halo);
   TotalLagrangian(const TotalLagrangian&) = delete;
   TotalLagrangian& operator=(const TotalLagrangian&) = delete;
+
+  // The following are collective, since displacements of copies come in and forces on them go back.
 
   /// Called with slots [begin, end) whose forces are complete, as soon as they are, from any thread.
   using Finish = FunctionRef<void(int begin, int end)>;
   /// Adds the pair forces of the current displacements to `forces`. With `record` it keeps F, P and energies of every particle besides.
-  ForceSummary internal_forces(const Particles<D>& particles, VectorField<D>& forces, Finish finish,
+  ForceSummary internal_forces(Particles<D>& particles, VectorField<D>& forces, Finish finish,
                                RecordedState* record = nullptr) const;
-  ForceSummary internal_forces(const Particles<D>& particles, VectorField<D>& forces) const;
+  ForceSummary internal_forces(Particles<D>& particles, VectorField<D>& forces) const;
   /// The same sweep for what it keeps alone.
-  ForceSummary record(const Particles<D>& particles, RecordedState& state) const;
+  ForceSummary record(Particles<D>& particles, RecordedState& state) const;
+  /// Of the state of the last sweep.
+  StoredEnergy stored_energy() const;
 
   /// Upper limit of the time step from the hourglass stiffness, 2 / omega; infinity without it.
   double hourglass_time_step() const { return hourglass_time_step_; }
@@ -73,12 +90,13 @@ class TotalLagrangian {
   const BlockPairs<D>& pairs() const { return pairs_; }
   const LatticePatterns<D>& lattice() const { return pairs_.lattice; }
   const TotalLagrangianOptions& options() const { return options_; }
+  const Halo& halo() const { return halo_; }
   std::size_t bytes() const;
 
  private:
-  SweepTask<D> task_of(int number, const PairSource<D>& source, const WeightOptions& weights, RecordedState* record) const;
-  template <class Keep, class Complete>
-  ForceSummary sweep(const Particles<D>& particles, RecordedState* record, Keep&& keep, Complete&& complete) const;
+  SweepTask<D> task_of(int block, const PairSource<D>& source, const WeightOptions& weights, RecordedState* record) const;
+  template <class Work>
+  void sweep_blocks(Particles<D>& particles, Work&& work, bool forces_go_back) const;
   ForceSummary total() const;
 
   WeightOptions weight_options() const;
@@ -86,7 +104,10 @@ class TotalLagrangian {
   void prepare_scratch() const;
 
   TotalLagrangianOptions options_;
+  Comm comm_;
+  mutable Halo halo_;
   BlockPairs<D> pairs_;
+  std::vector<int> inner_, edge_;  ///< blocks that reach no copies, and those that do
   mutable BlockCountdown countdown_;
   PairWeights<D> weights_;
   double hourglass_time_step_ = infinity;

@@ -30,7 +30,7 @@ void check_finite(const Expression& expression, const std::vector<int>& slots, c
 template <int D>
 void check_values(const BoundaryCase& b, const Regions& regions, const Particles<D>& particles) {
   for (const auto& value : b.value)
-    if (value) check_finite(*value, regions.at(b.region), particles, b.place);
+    if (value) check_finite(*value, regions.at(b.region).slots, particles, b.place);
 }
 
 bool is_motion(BoundaryCase::Kind kind) {
@@ -46,38 +46,43 @@ Vec<double, D> outward_normal(const Particles<D>& particles, const TotalLagrangi
 }
 
 template <int D>
-std::vector<double> shares_by_volume(const std::vector<int>& slots, const Particles<D>& particles) {
-  double total = 0.0;
-  for (int slot : slots) total += particles.volume[slot];
+std::vector<double> shares_by_volume(const Region& region, const Particles<D>& particles) {
   std::vector<double> shares;
-  for (int slot : slots) shares.push_back(particles.volume[slot] / total);
+  for (int slot : region.slots) shares.push_back(particles.volume[slot] / region.volume);
   return shares;
 }
 
 template <int D>
-std::vector<double> areas(const BoundaryCase& b, const std::vector<int>& slots, const Particles<D>& particles, double thickness) {
-  std::vector<double> area = shares_by_volume(slots, particles);
-  for (std::size_t k = 0; k < slots.size(); ++k)
-    area[k] = b.area ? *b.area * area[k] : thickness * std::pow(particles.volume[slots[k]], (D - 1.0) / D);
+std::vector<double> areas(const BoundaryCase& b, const Region& region, const Particles<D>& particles, double thickness) {
+  std::vector<double> area = shares_by_volume(region, particles);
+  for (std::size_t k = 0; k < area.size(); ++k)
+    area[k] = b.area ? *b.area * area[k] : thickness * std::pow(particles.volume[region.slots[k]], (D - 1.0) / D);
   return area;
 }
 
 /// Where the particles themselves give the normals of a pressure, those at edges and corners lean outward, and a flat face gets less
 /// than p A; say so if any leans more than 25 degrees from the mean.
 template <int D>
-void warn_of_oblique_normals(const BoundaryCase& b, const std::vector<int>& slots, const Particles<D>& particles,
-                             const TotalLagrangian<D>& solid, std::vector<std::string>& warnings) {
+void warn_of_oblique_normals(const BoundaryCase& b, const Region& region, const Particles<D>& particles,
+                             const TotalLagrangian<D>& solid, const Comm& comm, std::vector<std::string>& warnings) {
   if (b.normal) return;
+  std::vector<double> sums(D * particles.blocks.size(), 0.0);
+  for (int slot : region.slots) {
+    const Vec<double, D> normal = outward_normal(particles, solid, slot);
+    for (int c = 0; c < D; ++c) sums[D * particles.block_of(slot) + c] += normal[c];
+  }
+  sums = sum_over_blocks(comm, particles.block_numbers(), sums, D);
   Vec<double, D> mean;
-  for (int slot : slots) mean += outward_normal(particles, solid, slot);
+  for (int c = 0; c < D; ++c) mean[c] = sums[c];
   const double total = norm(mean);
   long leaning = 0;
-  for (int slot : slots) leaning += dot(outward_normal(particles, solid, slot), mean) < 0.906 * total;
+  for (int slot : region.slots) leaning += dot(outward_normal(particles, solid, slot), mean) < 0.906 * total;
+  leaning = comm.sum(leaning);
   if (leaning > 0)
     warnings.push_back(fmt::format(
         "pressure on region \"{}\": {} of its {} particles, at edges and corners, have normals that lean from the mean one; "
         "on a flat face give normal = [...].",
-        b.region, leaning, slots.size()));
+        b.region, leaning, region.particles));
 }
 
 /// A pressure p on an area with outward normal N is the force -p N A; component by component.
@@ -100,11 +105,11 @@ bool is_constant(const std::array<Expression, 3>& acceleration) {
 
 /// Mass times acceleration on every particle.
 template <int D>
-void add_body_force(const std::array<Expression, 3>& acceleration, const Particles<D>& particles,
+void add_body_force(const std::array<Expression, 3>& acceleration, const std::vector<int>& slots, const Particles<D>& particles,
                     std::vector<LoadCondition>& loads) {
   for (int c = 0; c < D; ++c) {
-    LoadCondition load{c, field_function(acceleration[c]), particles.slot_of, {}};
-    for (int slot : particles.slot_of) load.share.push_back(particles.mass[slot]);
+    LoadCondition load{c, field_function(acceleration[c]), slots, {}};
+    for (int slot : slots) load.share.push_back(particles.mass[slot]);
     loads.push_back(std::move(load));
   }
 }
@@ -130,14 +135,14 @@ Vec<double, D> constant_body_force(const Case& c) {
 }
 
 template <int D>
-PrescribedMotion<D> make_prescribed_motion(const Case& c, const Regions& regions, const Particles<D>& particles,
+PrescribedMotion<D> make_prescribed_motion(const Case& c, const Regions& regions, const Particles<D>& particles, const Comm& comm,
                                            std::vector<std::string>& warnings) {
   std::vector<MotionCondition> conditions;
   std::set<std::pair<int, int>> taken;  // slot, component
   long shared = 0;
   for (auto b = c.boundary.rbegin(); b != c.boundary.rend(); ++b) {
     if (!is_motion(b->kind)) continue;
-    check_values(*b, regions, particles);
+    comm.together([&] { check_values(*b, regions, particles); });
     for (int component = 0; component < D; ++component) {
       if (!b->value[component]) continue;
       MotionCondition m{
@@ -145,7 +150,7 @@ PrescribedMotion<D> make_prescribed_motion(const Case& c, const Regions& regions
           component,
           field_function(*b->value[component]),
           {}};
-      for (int slot : regions.at(b->region))
+      for (int slot : regions.at(b->region).slots)
         if (taken.insert({slot, component}).second)
           m.slots.push_back(slot);
         else
@@ -153,41 +158,44 @@ PrescribedMotion<D> make_prescribed_motion(const Case& c, const Regions& regions
       conditions.push_back(std::move(m));
     }
   }
+  shared = comm.sum(shared);
   if (shared > 0)
     warnings.push_back(fmt::format(
         "{} components of particles are prescribed by more than one [[boundary]]; the last one in the file holds.", shared));
-  return PrescribedMotion<D>(std::move(conditions));
+  return {std::move(conditions), particles};
 }
 
 template <int D>
 Loads<D> make_loads(const Case& c, const Regions& regions, const Particles<D>& particles, const TotalLagrangian<D>& solid,
-                    std::vector<std::string>& warnings) {
+                    const Comm& comm, std::vector<std::string>& warnings) {
   std::vector<LoadCondition> loads;
   for (const BoundaryCase& b : c.boundary) {
     if (is_motion(b.kind)) continue;
-    check_values(b, regions, particles);
-    const std::vector<int>& slots = regions.at(b.region);
+    comm.together([&] { check_values(b, regions, particles); });
+    const Region& region = regions.at(b.region);
     const bool force = b.kind == BoundaryCase::Kind::force;
     const std::vector<double> share =
-        force ? shares_by_volume(slots, particles) : areas(b, slots, particles, c.general.thickness);
+        force ? shares_by_volume(region, particles) : areas(b, region, particles, c.general.thickness);
     if (b.kind == BoundaryCase::Kind::pressure) {
-      add_pressure(b, slots, share, particles, solid, loads);
-      warn_of_oblique_normals(b, slots, particles, solid, warnings);
+      add_pressure(b, region.slots, share, particles, solid, loads);
+      warn_of_oblique_normals(b, region, particles, solid, comm, warnings);
       continue;
     }
     for (int component = 0; component < D; ++component)
-      if (b.value[component]) loads.push_back({component, field_function(*b.value[component]), slots, share});
+      if (b.value[component]) loads.push_back({component, field_function(*b.value[component]), region.slots, share});
   }
-  for (const Expression& acceleration : c.body_force)
-    check_finite(acceleration, particles.slot_of, particles, Place{"[body_force]"});
-  if (!is_constant(c.body_force)) add_body_force(c.body_force, particles, loads);
-  return Loads<D>(std::move(loads));
+  const std::vector<int>& all = regions.at("all").slots;
+  comm.together([&] {
+    for (const Expression& acceleration : c.body_force) check_finite(acceleration, all, particles, Place{"[body_force]"});
+  });
+  if (!is_constant(c.body_force)) add_body_force(c.body_force, all, particles, loads);
+  return {std::move(loads), particles};
 }
 
 template <int D>
-void set_initial_state(const Case& c, const Regions& regions, Particles<D>& particles) {
-  for (const InitialCase& initial : c.initial)
-    for (int slot : regions.at(initial.region)) {
+void set_initial_state(const Case& c, const Regions& regions, const Comm& comm, Particles<D>& particles) {
+  const auto set = [&](const InitialCase& initial) {
+    for (int slot : regions.at(initial.region).slots) {
       const Point X = particles.reference(slot);
       for (int i = 0; i < D; ++i) {
         if (initial.stretch) particles.displacement.at(i, slot) = ((*initial.stretch)[i] - 1.0) * X[i];
@@ -195,19 +203,21 @@ void set_initial_state(const Case& c, const Regions& regions, Particles<D>& part
         if (initial.velocity) particles.velocity.at(i, slot) = initial_value(initial, (*initial.velocity)[i], X);
       }
     }
+  };
+  for (const InitialCase& initial : c.initial) comm.together([&] { set(initial); });
 }
 
 template Vec<double, 2> constant_body_force<2>(const Case&);
 template Vec<double, 3> constant_body_force<3>(const Case&);
-template PrescribedMotion<2> make_prescribed_motion<2>(const Case&, const Regions&, const Particles<2>&,
+template PrescribedMotion<2> make_prescribed_motion<2>(const Case&, const Regions&, const Particles<2>&, const Comm&,
                                                        std::vector<std::string>&);
-template PrescribedMotion<3> make_prescribed_motion<3>(const Case&, const Regions&, const Particles<3>&,
+template PrescribedMotion<3> make_prescribed_motion<3>(const Case&, const Regions&, const Particles<3>&, const Comm&,
                                                        std::vector<std::string>&);
-template Loads<2> make_loads<2>(const Case&, const Regions&, const Particles<2>&, const TotalLagrangian<2>&,
+template Loads<2> make_loads<2>(const Case&, const Regions&, const Particles<2>&, const TotalLagrangian<2>&, const Comm&,
                                 std::vector<std::string>&);
-template Loads<3> make_loads<3>(const Case&, const Regions&, const Particles<3>&, const TotalLagrangian<3>&,
+template Loads<3> make_loads<3>(const Case&, const Regions&, const Particles<3>&, const TotalLagrangian<3>&, const Comm&,
                                 std::vector<std::string>&);
-template void set_initial_state<2>(const Case&, const Regions&, Particles<2>&);
-template void set_initial_state<3>(const Case&, const Regions&, Particles<3>&);
+template void set_initial_state<2>(const Case&, const Regions&, const Comm&, Particles<2>&);
+template void set_initial_state<3>(const Case&, const Regions&, const Comm&, Particles<3>&);
 
 }  // namespace sinew

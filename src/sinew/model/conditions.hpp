@@ -1,20 +1,20 @@
 #pragma once
 /// From the conditions of a case to lists of particles and numbers.
 
-#include <map>
 #include <sinew/formulations/boundary/loads.hpp>
 #include <sinew/formulations/boundary/prescribed_motion.hpp>
 #include <sinew/formulations/total_lagrangian.hpp>
 #include <sinew/model/case.hpp>
+#include <sinew/model/regions.hpp>
 
 namespace sinew {
 
-using Regions = std::map<std::string, std::vector<int>>;
+// All of these are collective where ranks share a case.
 
 /// Prescribed displacements and velocities. Where two conditions prescribe the same component of the same particle, the later one holds;
 /// `warnings` gets a sentence.
 template <int D>
-PrescribedMotion<D> make_prescribed_motion(const Case& c, const Regions& regions, const Particles<D>& particles,
+PrescribedMotion<D> make_prescribed_motion(const Case& c, const Regions& regions, const Particles<D>& particles, const Comm& comm,
                                            std::vector<std::string>& warnings);
 
 /// The body force, where it is the same everywhere and at all times; otherwise zero, and it is among the loads.
@@ -25,10 +25,10 @@ Vec<double, D> constant_body_force(const Case& c);
 /// pressure is the direction away from its neighbors.
 template <int D>
 Loads<D> make_loads(const Case& c, const Regions& regions, const Particles<D>& particles, const TotalLagrangian<D>& solid,
-                    std::vector<std::string>& warnings);
+                    const Comm& comm, std::vector<std::string>& warnings);
 
 /// Displacements and velocities at time 0.
 template <int D>
-void set_initial_state(const Case& c, const Regions& regions, Particles<D>& particles);
+void set_initial_state(const Case& c, const Regions& regions, const Comm& comm, Particles<D>& particles);
 
 }  // namespace sinew

@@ -36,11 +36,13 @@ template <int D>
 Probes<D>::Probes(const Case& c, const Regions& regions) : units_(c.general.units) {
   std::vector<std::string> variables{"t"};
   for (const ProbeCase& p : c.probes) {
-    Probe probe{p, nullptr, Expression(), 0, {}};
+    Probe probe{p, nullptr, Expression(), 0, {}, 0};
     if (p.expression.empty()) {
       probe.quantity = find_quantity(p.quantity);
       probe.component = component_index(*probe.quantity, p.component);
-      probe.slots = regions.at(p.region.empty() ? "all" : p.region);
+      const Region& region = regions.at(p.region.empty() ? "all" : p.region);
+      probe.slots = region.slots;
+      probe.particles = region.particles;
       need_hourglass_error_ = need_hourglass_error_ || p.quantity == "hourglass_error";
       need_record_ = need_record_ || (!probe.quantity->is_total && needs_record(p.quantity));
     } else {
@@ -51,27 +53,31 @@ Probes<D>::Probes(const Case& c, const Regions& regions) : units_(c.general.unit
   }
 }
 
+/// Sums block by block: they do not depend on who has which block.
 template <int D>
 double Probes<D>::over_particles(const Probe& probe, const ProbedState<D>& state) const {
   const ParticleQuantity<D> quantity = particle_quantity<D>(probe.c.quantity);
   const QuantitySource<D> source{state.particles, state.solid, state.record};
-  constexpr std::size_t block = 128;
-  std::array<double, block * ParticleQuantity<D>::most_components> values;
-  double sum = 0.0, least = infinity, most = -infinity;
-  for (std::size_t begin = 0; begin < probe.slots.size(); begin += block) {
-    const std::span some = std::span(probe.slots).subspan(begin, std::min(block, probe.slots.size() - begin));
+  constexpr std::size_t together = 128;
+  std::array<double, together * ParticleQuantity<D>::most_components> values;
+  std::vector<double> sums(state.particles.blocks.size(), 0.0);
+  double least = infinity, most = -infinity;
+  int block = 0;
+  for (std::size_t begin = 0; begin < probe.slots.size(); begin += together) {
+    const std::span some = std::span(probe.slots).subspan(begin, std::min(together, probe.slots.size() - begin));
     quantity.values(source, some, {}, values.data());
     for (std::size_t k = 0; k < some.size(); ++k) {
       const double value = component_of(values.data() + k * quantity.components, quantity.components, probe.component);
-      sum += value;
+      while (some[k] >= state.particles.blocks[block].end) ++block;
+      sums[block] += value;
       least = std::min(least, value);
       most = std::max(most, value);
     }
   }
-  if (probe.c.reduce == "sum") return sum;
-  if (probe.c.reduce == "min") return least;
-  if (probe.c.reduce == "max") return most;
-  return sum / static_cast<double>(probe.slots.size());
+  if (probe.c.reduce == "min") return -state.comm.maximum(-least);
+  if (probe.c.reduce == "max") return state.comm.maximum(most);
+  const double sum = sum_over_blocks(state.comm, state.particles.block_numbers(), sums, 1)[0];
+  return probe.c.reduce == "sum" ? sum : sum / static_cast<double>(probe.particles);
 }
 
 template <int D>
@@ -81,10 +87,12 @@ double Probes<D>::total(const Probe& probe, const ProbedState<D>& state) const {
   if (name == "linear_momentum") return component_of(state.momenta.linear, probe.component);
   if (name == "angular_momentum") return component_of(state.momenta.angular, probe.component);
   if (name == "reaction_force") {
+    std::vector<double> sums;
+    for (const Vec<double, D>& of_block : state.motion.reactions_on(probe.slots))
+      sums.insert(sums.end(), of_block.c, of_block.c + D);
+    sums = sum_over_blocks(state.comm, state.particles.block_numbers(), sums, D);
     Point sum;
-    const VectorField<D> reactions = state.motion.reaction_field(state.particles.slots);
-    for (int slot : probe.slots)
-      for (int c = 0; c < D; ++c) sum[c] += reactions.at(c, slot);
+    std::copy(sums.begin(), sums.end(), sum.c);
     return component_of(sum, probe.component);
   }
   return energy_of(name, state.energies);

@@ -11,6 +11,7 @@ namespace sinew {
 /// What a probe looks at. `record`: null if no probe needs it (see needs_record).
 template <int D>
 struct ProbedState {
+  const Comm& comm;
   const Particles<D>& particles;
   const TotalLagrangian<D>& solid;
   const PrescribedMotion<D>& motion;
@@ -27,7 +28,7 @@ class Probes {
 
   bool need_record() const { return need_record_; }
   bool need_hourglass_error() const { return need_hourglass_error_; }
-  /// Values of all probes, in the order of the case.
+  /// Values of all probes, in the order of the case. Collective.
   std::vector<double> values(const ProbedState<D>& state) const;
   /// Units of the values in the system of the case; empty for an expression.
   std::vector<std::string> units() const;
@@ -38,7 +39,8 @@ class Probes {
     const QuantityInfo* quantity = nullptr;  ///< nullptr: an expression over t and the probes before it
     Expression formula;
     int component = 0;
-    std::vector<int> slots;
+    std::vector<int> slots;  ///< on this rank
+    long particles = 0;      ///< on all ranks
   };
   double over_particles(const Probe& probe, const ProbedState<D>& state) const;
   double total(const Probe& probe, const ProbedState<D>& state) const;

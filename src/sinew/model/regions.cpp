@@ -17,7 +17,7 @@ struct UserRange {
 };
 
 template <int D>
-std::vector<UserRange> user_ranges(const Particles<D>& particles) {
+std::vector<UserRange> user_ranges(const Arrangement<D>& particles) {
   std::vector<UserRange> ranges;
   int first = 0;
   for (const BodyRange& body : particles.bodies) {
@@ -44,7 +44,7 @@ bool satisfies(const RegionCase& region, const Point& X, int dimension) {
 }
 
 template <int D>
-[[noreturn]] void selects_nothing(const RegionCase& region, const Particles<D>& particles) {
+[[noreturn]] void selects_nothing(const RegionCase& region, const Arrangement<D>& particles) {
   Point low, high;
   for (int c = 0; c < D; ++c) low[c] = std::numeric_limits<double>::infinity(), high[c] = -low[c];
   for (int slot : particles.slot_of)
@@ -63,7 +63,7 @@ template <int D>
 
 /// Of the candidates the one nearest to the point; the first of several at the same distance.
 template <int D>
-int nearest_of(const std::vector<int>& candidates, const Point& target, const Particles<D>& particles) {
+int nearest_of(const std::vector<int>& candidates, const Point& target, const Arrangement<D>& particles) {
   int best = candidates.front();
   double least = std::numeric_limits<double>::infinity();
   for (int slot : candidates) {
@@ -78,7 +78,7 @@ int nearest_of(const std::vector<int>& candidates, const Point& target, const Pa
 
 template <int D>
 std::vector<int> select(const RegionCase& region, const Case& c, const std::vector<GeneratedBody>& bodies,
-                        const Particles<D>& particles) {
+                        const Arrangement<D>& particles) {
   std::vector<int> found;
   const std::vector<UserRange> ranges = user_ranges(particles);
   for (std::size_t b = 0; b < ranges.size(); ++b) {
@@ -113,19 +113,28 @@ void check_set_name(const RegionCase& region, const Case& c, const std::vector<G
 }  // namespace
 
 template <int D>
-std::map<std::string, std::vector<int>> select_regions(const Case& c, const std::vector<GeneratedBody>& bodies,
-                                                       const Particles<D>& particles) {
-  std::map<std::string, std::vector<int>> regions;
+Regions select_regions(const Case& c, const std::vector<GeneratedBody>& bodies, const Arrangement<D>& all) {
+  Regions regions;
   for (const auto& [name, region] : c.regions) {
     check_set_name(region, c, bodies);
-    regions[name] = select(region, c, bodies, particles);
+    Region& selected = regions[name];
+    selected.slots = select(region, c, bodies, all);
+    selected.particles = static_cast<long>(selected.slots.size());
+    for (int slot : selected.slots) selected.volume += all.volume[slot];
   }
   return regions;
 }
 
-template std::map<std::string, std::vector<int>> select_regions<2>(const Case&, const std::vector<GeneratedBody>&,
-                                                                   const Particles<2>&);
-template std::map<std::string, std::vector<int>> select_regions<3>(const Case&, const std::vector<GeneratedBody>&,
-                                                                   const Particles<3>&);
+void keep_own(Regions& regions, const Share& share) {
+  for (auto& [name, region] : regions) {
+    std::vector<int> own;
+    for (int slot : region.slots)
+      if (const int here = share.local_of[slot]; here != Blocks::nobody && here < share.slots) own.push_back(here);
+    region.slots = std::move(own);
+  }
+}
+
+template Regions select_regions<2>(const Case&, const std::vector<GeneratedBody>&, const Arrangement<2>&);
+template Regions select_regions<3>(const Case&, const std::vector<GeneratedBody>&, const Arrangement<3>&);
 
 }  // namespace sinew

@@ -4,11 +4,21 @@
 #include <map>
 #include <memory>
 #include <sinew/model/case.hpp>
+#include <sinew/parallel/comm.hpp>
 #include <sinew/particles/snapshot.hpp>
 #include <string>
 #include <vector>
 
 namespace sinew {
+
+/// What ranks send each other.
+struct Traffic {
+  int ranks = 1;
+  double copies_share = 0.0;     ///< copies of particles of other ranks, for each particle
+  double pairs_imbalance = 0.0;  ///< pairs of the rank that has most of them over the mean, less 1
+  double bytes_per_step = 0.0;   ///< sent by all ranks
+  int messages_per_step = 0;     ///< of the rank that sends most
+};
 
 /// What a model is made of, for `check`, the log and the summary. Quantities in the case's own units.
 struct ModelFacts {
@@ -21,6 +31,7 @@ struct ModelFacts {
   std::size_t memory_bytes = 0;
   double bytes_per_particle = 0.0;
   int blocks = 0;
+  Traffic traffic;             ///< between ranks
   double lattice_share = 0.0;  ///< part of the slices of eight particles that go without a pair list
   int lattice_patterns = 0;
   std::string pair_weights;  ///< of the others: "stored", "single" or "computed"
@@ -60,10 +71,12 @@ struct SavedState {
   std::map<std::string, std::vector<double>> arrays;
 };
 
+/// Where ranks share a case, every call that is not const is collective, and so is state_hash(). All ranks get the same answers, but
+/// what has a value for each particle (snapshots, arrays of a saved state) is on the root alone.
 class Simulation {
  public:
   /// Builds particles, neighbors, weights, regions and conditions, and evaluates the initial forces. Throws CaseError.
-  static std::unique_ptr<Simulation> build(const Case& c);
+  static std::unique_ptr<Simulation> build(const Case& c, const Comm& comm = Comm());
   virtual ~Simulation() = default;
 
   virtual const ModelFacts& facts() const = 0;
@@ -89,8 +102,8 @@ class Simulation {
     return s;
   }
 
-  virtual std::string state_hash() const = 0;  ///< of positions and velocities, in the user's order
-  virtual SavedState save() const = 0;
+  virtual std::string state_hash() const = 0;  ///< of positions and velocities of all particles, by their numbers
+  virtual SavedState save() = 0;
   virtual void restore(const SavedState& state) = 0;
   virtual std::map<std::string, double> pass_seconds() const = 0;  ///< wall time of the passes of all steps so far
 };

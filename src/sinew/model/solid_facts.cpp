@@ -11,13 +11,8 @@ namespace sinew {
 
 namespace {
 
-template <int D>
-ModelFacts::Body facts_of(const BodyRange& range, const BodyCase& c, const Particles<D>& particles, double thickness) {
-  ModelFacts::Body body{range.name, "", range.count, 0.0, 0.0, range.spacing, 0.0, 0.0};
-  for (int slot = range.begin; slot < range.end; ++slot) {
-    body.volume += particles.volume[slot] * thickness;
-    body.mass += particles.mass[slot];
-  }
+ModelFacts::Body facts_of(const BodyRange& range, const BodyCase& c) {
+  ModelFacts::Body body{range.name, "", 0, 0.0, 0.0, range.spacing, 0.0, 0.0};
   std::visit(
       [&](const auto& m) {
         body.material = m.name;
@@ -30,32 +25,81 @@ ModelFacts::Body facts_of(const BodyRange& range, const BodyCase& c, const Parti
 
 }  // namespace
 
+/// Particles, volumes and masses of all bodies, with what belongs to all ranks.
 template <int D>
-void SolidSimulation<D>::collect_facts(const std::vector<GeneratedBody>& bodies, double setup_seconds) {
-  const BlockPairs<D>& list = solid_.pairs();
-  facts_.particles = particles_.count;
-  facts_.pairs = static_cast<long>(list.pairs);
-  facts_.neighbors_min = list.neighbor_count[particles_.slot_of.front()];
-  for (int slot : particles_.slot_of) {
-    facts_.neighbors_min = std::min(facts_.neighbors_min, list.neighbor_count[slot]);
-    facts_.neighbors_max = std::max(facts_.neighbors_max, list.neighbor_count[slot]);
+void SolidSimulation<D>::collect_bodies(const std::vector<GeneratedBody>& bodies) {
+  const std::size_t count = bodies.size();
+  std::vector<double> sums(2 * count * particles_.blocks.size(), 0.0);
+  for (std::size_t b = 0; b < particles_.blocks.size(); ++b) {
+    const BlockRange& block = particles_.blocks[b];
+    double* of_body = sums.data() + 2 * (count * b + block.body);
+    for (int slot = block.begin; slot < block.end; ++slot) {
+      of_body[0] += particles_.volume[slot] * solid_.options().thickness;
+      of_body[1] += particles_.mass[slot];
+    }
   }
-  facts_.neighbors_mean = static_cast<double>(list.pairs) / particles_.count;
-  facts_.time_step = stable_time_step();
-  facts_.time_step_limit = step_size_.limit(summary_);
-  facts_.memory_bytes = particles_.bytes() + solid_.bytes() + forces_.bytes();
-  facts_.bytes_per_particle = static_cast<double>(facts_.memory_bytes) / particles_.count;
-  facts_.blocks = list.blocks.count();
-  facts_.lattice_share = static_cast<double>(solid_.lattice().slices()) / list.blocks.slices();
-  facts_.lattice_patterns = static_cast<int>(solid_.lattice().patterns.size());
-  facts_.pair_weights = name_of(solid_.options().weights);
-  facts_.setup_seconds = setup_seconds;
-  for (std::size_t b = 0; b < bodies.size(); ++b) {
-    facts_.bodies.push_back(facts_of(particles_.bodies[b], case_.bodies[b], particles_, solid_.options().thickness));
+  sums = sum_over_blocks(comm_, particles_.block_numbers(), sums, static_cast<int>(2 * count));
+  for (std::size_t b = 0; b < count; ++b) {
+    facts_.bodies.push_back(facts_of(particles_.bodies[b], case_.bodies[b]));
+    facts_.bodies.back().particles = static_cast<long>(bodies[b].points.size());
+    facts_.bodies.back().volume = sums[2 * b];
+    facts_.bodies.back().mass = sums[2 * b + 1];
     for (const std::string& warning : bodies[b].points.warnings)
       facts_.warnings.push_back(fmt::format("body \"{}\": {}", case_.bodies[b].name, warning));
   }
-  for (const auto& [name, slots] : regions_) facts_.regions[name] = static_cast<long>(slots.size());
+}
+
+/// What ranks have to do, and send each other.
+template <int D>
+void SolidSimulation<D>::collect_traffic() {
+  const Halo& halo = solid_.halo();
+  const auto pairs = static_cast<double>(solid_.pairs().pairs);
+  Traffic& traffic = facts_.traffic;
+  traffic.ranks = comm_.size();
+  traffic.copies_share = static_cast<double>(comm_.sum(long{particles_.copies})) / static_cast<double>(facts_.particles);
+  traffic.pairs_imbalance = comm_.maximum(pairs) * comm_.size() / static_cast<double>(facts_.pairs) - 1.0;
+  traffic.bytes_per_step = static_cast<double>(comm_.sum(static_cast<long>(halo.displacements.bytes() + halo.forces.bytes())));
+  traffic.messages_per_step = static_cast<int>(comm_.maximum(halo.displacements.messages() + halo.forces.messages()));
+  if (const long idle = comm_.sum(particles_.count == 0 ? 1L : 0L); idle > 0)
+    facts_.warnings.push_back(
+        fmt::format("{} of {} ranks have nothing to do: the case has {} blocks of particles, each of which one rank computes.",
+                    idle, comm_.size(), facts_.blocks));
+}
+
+template <int D>
+void SolidSimulation<D>::collect_facts(const std::vector<GeneratedBody>& bodies, double setup_seconds) {
+  const BlockPairs<D>& list = solid_.pairs();
+  const LatticePatterns<D>& lattice = solid_.lattice();
+  long counts[] = {particles_.count,
+                   static_cast<long>(list.pairs),
+                   lattice.slices(),
+                   list.blocks.slices(),
+                   list.blocks.count(),
+                   static_cast<long>(lattice.patterns.size()),
+                   static_cast<long>(particles_.bytes() + solid_.bytes() + forces_.bytes())};
+  comm_.sum(counts);
+  facts_.particles = counts[0];
+  facts_.pairs = counts[1];
+  double most = 0.0, least = infinity;
+  for (int slot : order_.slots()) {
+    least = std::min<double>(least, list.neighbor_count[slot]);
+    most = std::max<double>(most, list.neighbor_count[slot]);
+  }
+  facts_.neighbors_min = static_cast<int>(-comm_.maximum(-least));
+  facts_.neighbors_max = static_cast<int>(comm_.maximum(most));
+  facts_.neighbors_mean = static_cast<double>(facts_.pairs) / static_cast<double>(facts_.particles);
+  facts_.time_step = stable_time_step();
+  facts_.time_step_limit = step_size_.limit(summary_);
+  facts_.memory_bytes = static_cast<std::size_t>(counts[6]);
+  facts_.bytes_per_particle = static_cast<double>(facts_.memory_bytes) / static_cast<double>(facts_.particles);
+  facts_.blocks = static_cast<int>(counts[4]);
+  facts_.lattice_share = static_cast<double>(counts[2]) / static_cast<double>(counts[3]);
+  facts_.lattice_patterns = static_cast<int>(counts[5]);
+  facts_.pair_weights = name_of(solid_.options().weights);
+  facts_.setup_seconds = setup_seconds;
+  collect_bodies(bodies);
+  collect_traffic();
+  for (const auto& [name, region] : regions_) facts_.regions[name] = region.particles;
   if (bodies.size() > 1) facts_.warnings.push_back("the bodies do not act on each other: there is no contact between them.");
   if (!solid_.options().hourglass) facts_.warnings.push_back("zero-energy modes are not controlled: stabilization is off.");
 }

@@ -10,25 +10,6 @@ namespace sinew {
 
 namespace {
 
-template <int D>
-Particles<D> particles_of(const Case& c, const std::vector<GeneratedBody>& bodies) {
-  std::vector<BodyPoints> points;
-  for (std::size_t b = 0; b < bodies.size(); ++b)
-    points.push_back({c.bodies[b].name, &bodies[b].points,
-                      std::visit([](const auto& m) { return m.density; }, c.bodies[b].material), bodies[b].spacing});
-  return make_particles<D>(points, c.general.thickness);
-}
-
-template <int D>
-std::vector<double> support_radii(const Case& c, const Particles<D>& particles) {
-  if (c.formulation.neighbors) return radius_of_neighbors(particles, *c.formulation.neighbors);
-  std::vector<double> radius(particles.slots, 0.0);
-  for (const BodyRange& body : particles.bodies)
-    for (int slot = body.begin; slot < body.end; ++slot)
-      radius[slot] = c.formulation.support.value_or(FormulationCase::default_support) * body.spacing;
-  return radius;
-}
-
 WeightStorage weight_storage(const std::string& name) {
   for (WeightStorage storage : {WeightStorage::stored, WeightStorage::single, WeightStorage::computed})
     if (name == name_of(storage)) return storage;
@@ -49,25 +30,42 @@ TotalLagrangianOptions options_of(const Case& c) {
   return options;
 }
 
+std::vector<GeneratedBody> bodies_of(const Case& c, const Comm& comm) {
+  std::vector<GeneratedBody> bodies;
+  comm.together([&] { bodies = generate_bodies(c); });
+  return bodies;
+}
+
 }  // namespace
 
 template <int D>
-SolidSimulation<D>::SolidSimulation(const Case& c) : SolidSimulation(c, generate_bodies(c), Stopwatch{}) {}
+SolidSimulation<D>::SolidSimulation(const Case& c, const Comm& comm)
+    : SolidSimulation(c, comm, bodies_of(c, comm), Stopwatch{}) {}
 
 template <int D>
-SolidSimulation<D>::SolidSimulation(const Case& c, const std::vector<GeneratedBody>& bodies, const Stopwatch& watch)
+SolidSimulation<D>::SolidSimulation(const Case& c, const Comm& comm, const std::vector<GeneratedBody>& bodies,
+                                    const Stopwatch& watch)
+    : SolidSimulation(c, comm, bodies, set_up<D>(c, bodies, options_of(c), comm), watch) {}
+
+template <int D>
+SolidSimulation<D>::SolidSimulation(const Case& c, const Comm& comm, const std::vector<GeneratedBody>& bodies,
+                                    SolidSetup<D> setup, const Stopwatch& watch)
     : case_(c),
-      particles_(particles_of<D>(c, bodies)),
-      regions_(select_regions(c, bodies, particles_)),
-      solid_(particles_, support_radii(c, particles_), options_of(c)),
+      comm_(comm),
+      particles_(std::move(setup.particles)),
+      regions_(std::move(setup.regions)),
+      solid_(particles_, std::move(setup.pairs), setup.support_radius, options_of(c), comm, std::move(setup.halo)),
       forces_(particles_.slots),
-      motion_(make_prescribed_motion(c, regions_, particles_, facts_.warnings)),
-      loads_(make_loads(c, regions_, particles_, solid_, facts_.warnings)),
+      motion_(make_prescribed_motion(c, regions_, particles_, comm, facts_.warnings)),
+      loads_(make_loads(c, regions_, particles_, solid_, comm, facts_.warnings)),
       gravity_(constant_body_force<D>(c)),
       probes_(c, regions_),
-      step_size_{c.solver.cfl, solid_.hourglass_time_step(), c.solver.time_step.value_or(0.0)} {
+      step_size_{c.solver.cfl, solid_.hourglass_time_step(), c.solver.time_step.value_or(0.0)},
+      order_(comm, particles_.user_index),
+      dissipated_(particles_.blocks.size(), 0.0),
+      dissipation_rate_(particles_.blocks.size(), 0.0) {
   wants_hourglass_error_ = probes_.need_hourglass_error();
-  set_initial_state(c, regions_, particles_);
+  set_initial_state(c, regions_, comm, particles_);
   start();
   collect_facts(bodies, watch.seconds());
 }
@@ -79,7 +77,7 @@ void SolidSimulation<D>::start() {
   motion_.move(particles_, 0.0, 0.0);
   update_forces(0.0);
   initial_energy_ = energies().total();
-  initial_gravity_work_ = gravity_work(gravity_, particles_);
+  initial_gravity_work_ = totals().gravity_work;
   first_time_step_ = stable_time_step();
   if (!(summary_.smallest_jacobian > 0.0))
     throw CaseError(
@@ -117,33 +115,59 @@ void SolidSimulation<D>::update_forces(double dt) {
   motion_.hold(particles_, time_, dt, case_.solver.damping);
   if (case_.solver.damping > 0.0) count_dissipation(dt);
   timer_.mark("boundary");
+  share_limits();
+  timer_.mark("time step");
+}
+
+/// What steers the run is the largest of all ranks.
+template <int D>
+void SolidSimulation<D>::share_limits() {
+  double limits[] = {summary_.finite ? 0.0 : 1.0, -summary_.smallest_jacobian, summary_.largest_rate2};
+  comm_.maximum(limits);
+  summary_.finite = limits[0] == 0.0;
+  summary_.smallest_jacobian = -limits[1];
+  summary_.largest_rate2 = limits[2];
 }
 
 /// Trapezoidal rule for the power of the damping, c sum m v^2.
 template <int D>
 void SolidSimulation<D>::count_dissipation(double dt) {
-  const double rate = 2.0 * case_.solver.damping * kinetic_energy(particles_);
-  dissipated_ += 0.5 * dt * (dissipation_rate_ + rate);
-  dissipation_rate_ = rate;
+  const std::vector<double> kinetic = kinetic_energies(particles_);
+  for (std::size_t b = 0; b < kinetic.size(); ++b) {
+    const double rate = 2.0 * case_.solver.damping * kinetic[b];
+    dissipated_[b] += 0.5 * dt * (dissipation_rate_[b] + rate);
+    dissipation_rate_[b] = rate;
+  }
 }
 
 template <int D>
 Energies SolidSimulation<D>::energies() {
+  std::vector<double> partial;
+  for (std::size_t b = 0; b < dissipated_.size(); ++b)
+    partial.insert(partial.end(), {motion_.work()[b] + loads_.work()[b], dissipated_[b]});
+  const std::vector<double> sums = sum_over_blocks(comm_, particles_.block_numbers(), partial, 2);
   Energies e;
   e.kinetic = totals().kinetic;
-  e.strain = summary_.strain_energy;
-  e.hourglass = summary_.hourglass_energy;
-  e.external_work = motion_.work() + loads_.work() + totals().gravity_work - initial_gravity_work_;
-  e.dissipated = dissipated_;
+  e.strain = stored_energy().strain;
+  e.hourglass = stored_energy().hourglass;
+  e.external_work = sums[0] + totals().gravity_work - initial_gravity_work_;
+  e.dissipated = sums[1];
   e.initial = initial_energy_;
   return e;
 }
 
 template <int D>
 const Totals& SolidSimulation<D>::totals() {
-  if (totals_step_ != steps_) totals_ = totals_of(particles_, gravity_);
+  if (totals_step_ != steps_) totals_ = totals_of(comm_, particles_, gravity_);
   totals_step_ = steps_;
   return totals_;
+}
+
+template <int D>
+const StoredEnergy& SolidSimulation<D>::stored_energy() {
+  if (stored_step_ != steps_) stored_ = solid_.stored_energy();
+  stored_step_ = steps_;
+  return stored_;
 }
 
 template <int D>
@@ -167,15 +191,15 @@ const RecordedState& SolidSimulation<D>::record() {
 template <int D>
 std::vector<double> SolidSimulation<D>::probe_values() {
   const RecordedState* state = probes_.need_record() ? &record() : nullptr;
-  return probes_.values({particles_, solid_, motion_, state, energies(), momenta(), time_, stable_time_step()});
+  return probes_.values({comm_, particles_, solid_, motion_, state, energies(), momenta(), time_, stable_time_step()});
 }
 
 template class SolidSimulation<2>;
 template class SolidSimulation<3>;
 
-std::unique_ptr<Simulation> Simulation::build(const Case& c) {
-  if (c.general.dimension == 2) return std::make_unique<SolidSimulation<2>>(c);
-  return std::make_unique<SolidSimulation<3>>(c);
+std::unique_ptr<Simulation> Simulation::build(const Case& c, const Comm& comm) {
+  if (c.general.dimension == 2) return std::make_unique<SolidSimulation<2>>(c, comm);
+  return std::make_unique<SolidSimulation<3>>(c, comm);
 }
 
 }  // namespace sinew

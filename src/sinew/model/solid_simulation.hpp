@@ -4,9 +4,10 @@
 #include <sinew/core/timer.hpp>
 #include <sinew/model/conditions.hpp>
 #include <sinew/model/probes.hpp>
-#include <sinew/model/regions.hpp>
 #include <sinew/model/simulation.hpp>
+#include <sinew/model/solid_setup.hpp>
 #include <sinew/model/totals.hpp>
+#include <sinew/parallel/user_order.hpp>
 #include <sinew/time/step_size.hpp>
 
 namespace sinew {
@@ -14,7 +15,7 @@ namespace sinew {
 template <int D>
 class SolidSimulation final : public Simulation {
  public:
-  explicit SolidSimulation(const Case& c);
+  SolidSimulation(const Case& c, const Comm& comm);
 
   const ModelFacts& facts() const override { return facts_; }
   double time() const override { return time_; }
@@ -30,24 +31,32 @@ class SolidSimulation final : public Simulation {
   void fill_snapshot(const std::vector<std::string>& fields, Snapshot& snapshot) override;
 
   std::string state_hash() const override;
-  SavedState save() const override;
+  SavedState save() override;
   void restore(const SavedState& state) override;
   std::map<std::string, double> pass_seconds() const override { return {timer_.seconds().begin(), timer_.seconds().end()}; }
 
  private:
-  SolidSimulation(const Case& c, const std::vector<GeneratedBody>& bodies, const Stopwatch& watch);
+  SolidSimulation(const Case& c, const Comm& comm, const std::vector<GeneratedBody>& bodies, const Stopwatch& watch);
+  SolidSimulation(const Case& c, const Comm& comm, const std::vector<GeneratedBody>& bodies, SolidSetup<D> setup,
+                  const Stopwatch& watch);
   void start();
   void update_forces(double dt);
   void count_dissipation(double dt);
   void check_state();
   [[noreturn]] void fail(const std::string& cause);
+  std::pair<int, double> worst_particle(std::vector<double>& jacobian);
   RecordedState& room_for_record();
   const RecordedState& record();
   const Totals& totals();
+  const StoredEnergy& stored_energy();
   void describe(Snapshot& snapshot) const;
+  void share_limits();
+  void collect_bodies(const std::vector<GeneratedBody>& bodies);
+  void collect_traffic();
   void collect_facts(const std::vector<GeneratedBody>& bodies, double setup_seconds);
 
   Case case_;
+  Comm comm_;
   ModelFacts facts_;
   Particles<D> particles_;
   Regions regions_;
@@ -58,18 +67,20 @@ class SolidSimulation final : public Simulation {
   Vec<double, D> gravity_;  ///< body force that is the same everywhere and always [length/time^2]
   Probes<D> probes_;
   StepSize step_size_;
-  PassTimer timer_{"drift", "boundary", "forces and kick"};
+  UserOrder order_;
+  PassTimer timer_{"drift", "boundary", "forces and kick", "time step"};
 
   double time_ = 0.0;
   long steps_ = 0;
-  ForceSummary summary_;  ///< of the current state
+  ForceSummary summary_;  ///< of the current state; its limits (Jacobian, rate) are those of all ranks
   double first_time_step_ = 0.0;
-  double dissipated_ = 0.0, dissipation_rate_ = 0.0;
+  std::vector<double> dissipated_, dissipation_rate_;  ///< by damping, of each block [energy], [energy/time]
   double initial_energy_ = 0.0, initial_gravity_work_ = 0.0;
   std::unique_ptr<RecordedState> record_;
   bool record_expected_ = false, wants_hourglass_error_ = false;
   Totals totals_;
-  long recorded_step_ = -1, totals_step_ = -1;  ///< of which state they are
+  StoredEnergy stored_;
+  long recorded_step_ = -1, totals_step_ = -1, stored_step_ = -1;  ///< of which state they are
 };
 
 }  // namespace sinew

@@ -16,19 +16,48 @@ namespace sinew {
 namespace {
 
 template <int D>
-std::vector<double> in_users_order(const VectorField<D>& field, const Particles<D>& particles) {
-  std::vector<double> out(particles.slot_of.size() * D);
-  for (int slot = 0; slot < particles.slots; ++slot)  // in computing order, as in fill
-    if (const int i = particles.user_index[slot]; i >= 0)
-      for (int c = 0; c < D; ++c) out[std::size_t(i) * D + c] = field.at(c, slot);
-  return out;
+std::vector<double> in_users_order(const VectorField<D>& field, const UserOrder& order) {
+  std::vector<double> rows;
+  rows.reserve(order.slots().size() * D);
+  for (int slot : order.slots())
+    for (int c = 0; c < D; ++c) rows.push_back(field.at(c, slot));
+  return order.gather(std::move(rows), D);
 }
 
+/// `in`: on the root.
 template <int D>
-void from_users_order(const std::vector<double>& in, const std::vector<int>& slots, VectorField<D>& field) {
+void from_users_order(const std::vector<double>& in, const UserOrder& order, VectorField<D>& field) {
+  const std::vector<double> rows = order.scatter(in, D);
   std::size_t k = 0;
-  for (int slot : slots)
-    for (int c = 0; c < D; ++c) field.at(c, slot) = in.at(k++);
+  for (int slot : order.slots())
+    for (int c = 0; c < D; ++c) field.at(c, slot) = rows[k++];
+}
+
+/// Rows {condition, particle, value} by condition and particle.
+std::vector<double> sorted_rows(const std::vector<double>& rows) {
+  std::vector<std::array<double, 3>> sorted;
+  for (std::size_t k = 0; k < rows.size(); k += 3) sorted.push_back({rows[k], rows[k + 1], rows[k + 2]});
+  std::sort(sorted.begin(), sorted.end());
+  std::vector<double> all;
+  for (const auto& row : sorted) all.insert(all.end(), row.begin(), row.end());
+  return all;
+}
+
+/// The value of a row of them; 0 if there is none.
+double value_of(const std::vector<double>& rows, int condition, int particle) {
+  std::size_t begin = 0, end = rows.size() / 3;
+  const auto before = [&](std::size_t row) {
+    return rows[3 * row] != condition ? rows[3 * row] < condition : rows[3 * row + 1] < particle;
+  };
+  while (begin < end) {
+    const std::size_t middle = (begin + end) / 2;
+    if (before(middle))
+      begin = middle + 1;
+    else
+      end = middle;
+  }
+  const bool found = 3 * begin < rows.size() && rows[3 * begin] == condition && rows[3 * begin + 1] == particle;
+  return found ? rows[3 * begin + 2] : 0.0;
 }
 
 /// A quantity of all particles, and where it goes.
@@ -38,19 +67,18 @@ struct Output {
   double* values;
 };
 
-/// Block by block, so that what one quantity has read (F, P) is in the cache for the next; in computing order, since more is read than written.
+/// Of all particles, to the given rows. Some slots at a time, so that what one quantity has read (F, P) is in the cache for the next; in computing order, since more
+/// is read than written.
 template <int D>
-void fill(const std::vector<Output<D>>& outputs, const QuantitySource<D>& source) {
-  constexpr int block = 256;
-  const std::vector<int>& user_index = source.particles.user_index;
-  const int end = source.particles.slots;
-#pragma omp parallel for schedule(static) if (source.particles.count >= fewest_for_threads)
-  for (int begin = 0; begin < end; begin += block) {
-    std::array<int, block> slots, rows;
-    std::size_t count = 0;
-    for (int slot = begin; slot < std::min(begin + block, end); ++slot)
-      if (user_index[slot] >= 0) slots[count] = slot, rows[count++] = user_index[slot];
-    for (const Output<D>& out : outputs) out.quantity.values(source, {slots.data(), count}, {rows.data(), count}, out.values);
+void fill(const std::vector<Output<D>>& outputs, const QuantitySource<D>& source, const std::vector<int>& slots,
+          const std::vector<int>& rows) {
+  constexpr std::size_t together = 256;
+  const auto count = static_cast<std::ptrdiff_t>(slots.size());
+#pragma omp parallel for schedule(static) if (count >= fewest_for_threads)
+  for (std::ptrdiff_t begin = 0; begin < count; begin += together) {
+    const std::size_t size = std::min(together, slots.size() - begin);
+    for (const Output<D>& out : outputs)
+      out.quantity.values(source, std::span(slots).subspan(begin, size), std::span(rows).subspan(begin, size), out.values);
   }
 }
 
@@ -71,68 +99,92 @@ void SolidSimulation<D>::describe(Snapshot& s) const {
   s.length_unit = case_.general.units.name_of("m");
   s.time_unit = case_.general.units.name_of("s");
   for (const BodyRange& body : particles_.bodies) s.body_names.push_back(body.name);
-  for (int slot : particles_.slot_of) {
-    s.size.push_back(std::pow(particles_.volume[slot], 1.0 / D));
-    s.body.push_back(particles_.body_of(slot));
+  std::vector<double> rows;
+  for (int slot : order_.slots()) {
+    rows.push_back(std::pow(particles_.volume[slot], 1.0 / D));
+    rows.push_back(particles_.body_of(slot));
+  }
+  rows = order_.gather(std::move(rows), 2);
+  for (std::size_t k = 0; k < rows.size(); k += 2) {
+    s.size.push_back(rows[k]);
+    s.body.push_back(static_cast<int>(rows[k + 1]));
   }
 }
 
+/// A process alone fills the rows of the snapshot themselves, one of several ranks rows of its own, which then go to the root.
 template <int D>
 void SolidSimulation<D>::fill_snapshot(const std::vector<std::string>& fields, Snapshot& s) {
-  const std::size_t count = particles_.slot_of.size();
-  if (s.body.empty()) describe(s);
+  const std::vector<int>& slots = order_.slots();
+  if (s.body_names.empty()) describe(s);
   s.time = time_;
   s.step = steps_;
-  s.position.resize(count);
   s.fields.resize(fields.size());
-  std::vector<Output<D>> outputs{{particle_quantity<D>("position"), s.position.front().c}};
+  std::vector<double> position(comm_.alone() ? 0 : 3 * slots.size());
+  s.position.resize(comm_.alone() ? slots.size() : 0);
+  std::vector<Output<D>> outputs{
+      {particle_quantity<D>("position"), comm_.alone() && !slots.empty() ? s.position.front().c : position.data()}};
   for (std::size_t f = 0; f < fields.size(); ++f) {
     const ParticleQuantity<D> quantity = particle_quantity<D>(fields[f]);
     s.fields[f].name = fields[f];
     s.fields[f].unit = case_.general.units.name_of(find_quantity(fields[f])->unit);
     s.fields[f].components = quantity.components;
-    s.fields[f].values.resize(count * quantity.components);
+    s.fields[f].values.resize(slots.size() * quantity.components);
     outputs.push_back({quantity, s.fields[f].values.data()});
   }
   if (std::find(fields.begin(), fields.end(), "hourglass_error") != fields.end()) wants_hourglass_error_ = true;
   const bool recorded = std::any_of(fields.begin(), fields.end(), [](const std::string& name) { return needs_record(name); });
-  fill(outputs, {particles_, solid_, recorded ? &record() : nullptr});
+  std::vector<int> rows;
+  for (int slot : slots) rows.push_back(comm_.alone() ? particles_.user_index[slot] : static_cast<int>(rows.size()));
+  fill(outputs, {particles_, solid_, recorded ? &record() : nullptr}, slots, rows);
+  if (comm_.alone()) return;
+  position = order_.gather(std::move(position), 3);
+  s.position.resize(position.size() / 3);
+  for (std::size_t k = 0; k < position.size(); ++k) s.position[k / 3][static_cast<int>(k % 3)] = position[k];
+  for (FieldData& field : s.fields) field.values = order_.gather(std::move(field.values), field.components);
 }
 
-/// FNV-1a of the bits of x and v, in the user's order.
+/// For each particle a hash of its number and of the bits of x and v; their sum does not depend on an order.
 template <int D>
 std::string SolidSimulation<D>::state_hash() const {
-  std::uint64_t hash = 0xcbf29ce484222325ULL;
-  const auto add = [&hash](double value) {
-    const auto bits = std::bit_cast<std::uint64_t>(value + 0.0);  // -0 counts as 0
-    for (int byte = 0; byte < 8; ++byte) hash = (hash ^ ((bits >> (8 * byte)) & 0xff)) * 0x100000001b3ULL;
+  const auto mixed = [](std::uint64_t h) {  // the finalizer of SplitMix64 (Steele, Lea, Flood 2014)
+    h = (h ^ (h >> 30)) * 0xbf58476d1ce4e5b9ULL;
+    h = (h ^ (h >> 27)) * 0x94d049bb133111ebULL;
+    return h ^ (h >> 31);
   };
-  for (int slot : particles_.slot_of)
+  std::uint64_t sum = 0;
+  for (int slot : order_.slots()) {
+    auto hash = static_cast<std::uint64_t>(particles_.user_index[slot]) + 1;
+    const auto add = [&](double value) {
+      hash = mixed(hash + 0x9e3779b97f4a7c15ULL + std::bit_cast<std::uint64_t>(value + 0.0));  // -0 counts as 0
+    };
     for (int c = 0; c < D; ++c) {
       add(particles_.current(slot)[c]);
       add(particles_.velocity.at(c, slot));
     }
-  return fmt::format("{:016x}", hash);
+    sum += hash;
+  }
+  return fmt::format("{:016x}", comm_.sum(sum));
 }
 
 template <int D>
-SavedState SolidSimulation<D>::save() const {
+SavedState SolidSimulation<D>::save() {
   SavedState s{time_, steps_, {}, {}};
-  s.arrays["displacement"] = in_users_order(particles_.displacement, particles_);
-  s.arrays["reference_position"] = in_users_order(particles_.position, particles_);
-  s.arrays["velocity"] = in_users_order(particles_.velocity, particles_);
-  s.arrays["acceleration"] = in_users_order(particles_.acceleration, particles_);
-  s.arrays["reactions"] = motion_.reactions();
-  s.arrays["loads"] = loads_.forces();
-  s.numbers = {{"reaction_work", motion_.work()},
-               {"load_work", loads_.work()},
-               {"dissipated", dissipated_},
-               {"dissipation_rate", dissipation_rate_},
-               {"initial_energy", initial_energy_},
+  s.arrays["displacement"] = in_users_order(particles_.displacement, order_);
+  s.arrays["reference_position"] = in_users_order(particles_.position, order_);
+  s.arrays["velocity"] = in_users_order(particles_.velocity, order_);
+  s.arrays["acceleration"] = in_users_order(particles_.acceleration, order_);
+  std::vector<double> of_blocks, reactions;
+  for (std::size_t b = 0; b < particles_.blocks.size(); ++b)
+    of_blocks.insert(of_blocks.end(), {motion_.work()[b], loads_.work()[b], dissipated_[b], dissipation_rate_[b]});
+  s.arrays["blocks"] = gather_over_blocks(comm_, particles_.block_numbers(), of_blocks, 4);
+  for (const auto& r : motion_.reactions())
+    reactions.insert(reactions.end(), {double(r.condition), double(particles_.user_index[r.slot]), r.value});
+  s.arrays["reactions"] = sorted_rows(comm_.gather_rows(reactions, 3));
+  s.numbers = {{"initial_energy", initial_energy_},
                {"initial_gravity_work", initial_gravity_work_},
                {"first_time_step", first_time_step_},
-               {"strain_energy", summary_.strain_energy},
-               {"hourglass_energy", summary_.hourglass_energy},
+               {"strain_energy", stored_energy().strain},
+               {"hourglass_energy", stored_energy().hourglass},
                {"smallest_jacobian", summary_.smallest_jacobian},
                {"largest_rate2", summary_.largest_rate2}};
   return s;
@@ -140,63 +192,95 @@ SavedState SolidSimulation<D>::save() const {
 
 template <int D>
 void SolidSimulation<D>::restore(const SavedState& s) {
-  if (in_users_order(particles_.position, particles_) != s.arrays.at("reference_position"))
-    throw CaseError("the checkpoint belongs to other particles than the case makes now. Resume with the case that wrote it.");
-  from_users_order(s.arrays.at("displacement"), particles_.slot_of, particles_.displacement);
-  from_users_order(s.arrays.at("velocity"), particles_.slot_of, particles_.velocity);
-  from_users_order(s.arrays.at("acceleration"), particles_.slot_of, particles_.acceleration);
-  motion_.restore(s.arrays.at("reactions"), s.numbers.at("reaction_work"));
-  loads_.restore(s.arrays.at("loads"), s.numbers.at("load_work"));
+  const auto array = [&](const char* name) { return comm_.root() ? s.arrays.at(name) : std::vector<double>(); };
+  const std::vector<double> reference = in_users_order(particles_.position, order_);
+  comm_.on_root([&] {
+    if (reference != s.arrays.at("reference_position"))
+      throw CaseError("the checkpoint belongs to other particles than the case makes now. Resume with the case that wrote it.");
+  });
+  from_users_order(array("displacement"), order_, particles_.displacement);
+  from_users_order(array("velocity"), order_, particles_.velocity);
+  from_users_order(array("acceleration"), order_, particles_.acceleration);
   time_ = s.time;
   steps_ = s.step;
-  dissipated_ = s.numbers.at("dissipated");
-  dissipation_rate_ = s.numbers.at("dissipation_rate");
+  std::vector<double> of_blocks = array("blocks"), reactions = array("reactions");
+  comm_.broadcast(of_blocks);
+  comm_.broadcast(reactions);
+  std::vector<double> motion_work, load_work;
+  for (std::size_t b = 0; b < particles_.blocks.size(); ++b) {
+    const double* of_block = of_blocks.data() + 4 * std::size_t(particles_.blocks[b].number);
+    motion_work.push_back(of_block[0]);
+    load_work.push_back(of_block[1]);
+    dissipated_[b] = of_block[2];
+    dissipation_rate_[b] = of_block[3];
+  }
+  motion_.restore([&](int condition, int slot) { return value_of(reactions, condition, particles_.user_index[slot]); },
+                  std::move(motion_work));
+  loads_.restore(particles_, time_, std::move(load_work));
   initial_energy_ = s.numbers.at("initial_energy");
   initial_gravity_work_ = s.numbers.at("initial_gravity_work");
   first_time_step_ = s.numbers.at("first_time_step");
-  summary_ = {s.numbers.at("strain_energy"), s.numbers.at("hourglass_energy"), s.numbers.at("smallest_jacobian"),
-              s.numbers.at("largest_rate2")};
+  summary_.smallest_jacobian = s.numbers.at("smallest_jacobian");
+  summary_.largest_rate2 = s.numbers.at("largest_rate2");
+  stored_ = {s.numbers.at("strain_energy"), s.numbers.at("hourglass_energy")};
   recorded_step_ = totals_step_ = -1;
+  stored_step_ = steps_;
 }
 
 /// Stops a run whose numbers have lost their meaning, at the step in which it happens.
 template <int D>
 void SolidSimulation<D>::check_state() {
-  if (!std::isfinite(summary_.strain_energy)) fail("a stress is not finite");
+  if (!summary_.finite) fail("a stress is not finite");
   if (summary_.smallest_jacobian <= 0.0) fail("its volume has become zero or negative (det F <= 0)");
   if (stable_time_step() < 1e-6 * first_time_step_) fail("the stable time step has fallen below a millionth of the first one");
 }
 
+/// The worst particle of this rank: its slot, and det F or -infinity where something is not finite; slot -1 if it has none.
 template <int D>
-void SolidSimulation<D>::fail(const std::string& cause) {
+std::pair<int, double> SolidSimulation<D>::worst_particle(std::vector<double>& jacobian) {
   recorded_step_ = -1;
   const RecordedState& state = record();
-  std::vector<double> jacobian(particles_.slot_of.size());
-  particle_quantity<D>("jacobian").values({particles_, solid_, &state}, particles_.slot_of, {}, jacobian.data());
-  std::size_t worst_number = 0;
-  double least = infinity;
-  for (std::size_t i = 0; i < jacobian.size(); ++i) {
-    const bool finite = std::isfinite(jacobian[i]) && std::isfinite(state.energy_density[particles_.slot_of[i]]);
-    const double measure = finite ? jacobian[i] : -infinity;
-    if (measure < least) least = measure, worst_number = i;
+  jacobian.resize(order_.slots().size());
+  particle_quantity<D>("jacobian").values({particles_, solid_, &state}, order_.slots(), {}, jacobian.data());
+  std::pair<int, double> worst{-1, infinity};
+  for (std::size_t k = 0; k < jacobian.size(); ++k) {
+    const bool finite = std::isfinite(jacobian[k]) && std::isfinite(state.energy_density[order_.slots()[k]]);
+    const double measure = finite ? jacobian[k] : -infinity;
+    if (worst.first < 0 || measure < worst.second) worst = {static_cast<int>(k), measure};
   }
-  const int worst = particles_.slot_of[worst_number];
-  const Point x = particles_.current(worst);
-  const BodyRange& body = particles_.bodies[particles_.body_of(worst)];
-  throw SimulationError(
-      fmt::format("unstable at time {:.6g} {}, step {}: particle {} of body \"{}\" at ({:.6g}, {:.6g}, {:.6g}): {} (det F = "
-                  "{:.3g}). Likely causes: a load "
-                  "or velocity that the particles cannot resolve, too large a time step (try [solver] cfl = {:.2g}), or {}.",
-                  time_, case_.general.units.name_of("s"), steps_, particles_.user_index[worst], body.name, x[0], x[1], x[2],
-                  cause, jacobian[worst_number], 0.5 * case_.solver.cfl, hourglass_advice(solid_.options().hourglass)));
+  return worst;
+}
+
+/// The rank with the worst particle of all says what happened.
+template <int D>
+void SolidSimulation<D>::fail(const std::string& cause) {
+  std::vector<double> jacobian;
+  const auto [number, measure] = worst_particle(jacobian);
+  const double least = -comm_.maximum(-measure);
+  const int first = -static_cast<int>(comm_.maximum(measure == least && number >= 0 ? -comm_.rank() : -comm_.size()));
+  std::string text;
+  if (comm_.rank() == first) {
+    const int worst = order_.slots()[number];
+    const Point x = particles_.current(worst);
+    const BodyRange& body = particles_.bodies[particles_.body_of(worst)];
+    text = fmt::format(
+        "unstable at time {:.6g} {}, step {}: particle {} of body \"{}\" at ({:.6g}, {:.6g}, {:.6g}): {} (det F = "
+        "{:.3g}). Likely causes: a load "
+        "or velocity that the particles cannot resolve, too large a time step (try [solver] cfl = {:.2g}), or {}.",
+        time_, case_.general.units.name_of("s"), steps_, particles_.user_index[worst], body.name, x[0], x[1], x[2], cause,
+        jacobian[number], 0.5 * case_.solver.cfl, hourglass_advice(solid_.options().hourglass));
+  }
+  comm_.broadcast(text, first);
+  comm_.together([&] { throw SimulationError(text); });
+  throw SimulationError(text);  // not reached
 }
 
 template void SolidSimulation<2>::fill_snapshot(const std::vector<std::string>&, Snapshot&);
 template void SolidSimulation<3>::fill_snapshot(const std::vector<std::string>&, Snapshot&);
 template std::string SolidSimulation<2>::state_hash() const;
 template std::string SolidSimulation<3>::state_hash() const;
-template SavedState SolidSimulation<2>::save() const;
-template SavedState SolidSimulation<3>::save() const;
+template SavedState SolidSimulation<2>::save();
+template SavedState SolidSimulation<3>::save();
 template void SolidSimulation<2>::restore(const SavedState&);
 template void SolidSimulation<3>::restore(const SavedState&);
 template void SolidSimulation<2>::check_state();

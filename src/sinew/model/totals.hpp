@@ -1,58 +1,77 @@
 #pragma once
-/// Sums over all particles, eight at a time in computing order: the same bits for any number of threads.
+/// Sums over all particles of all ranks. Each block adds up on its own, eight particles at a time; blocks are added in their order: the same bits for any
+/// number of threads and ranks.
 
+#include <algorithm>
+#include <array>
 #include <sinew/core/pack.hpp>
 #include <sinew/model/simulation.hpp>
+#include <sinew/neighbors/threads.hpp>
+#include <sinew/parallel/comm.hpp>
 #include <sinew/particles/particles.hpp>
 
 namespace sinew {
 
-/// Sum of m v^2 / 2 [energy]. Padding has no mass.
-template <int D>
-double kinetic_energy(const Particles<D>& particles) {
-  Pack twice;
-  for (int slot = 0; slot < particles.slots; slot += lanes) {
-    Pack square;
-    for (int c = 0; c < D; ++c) {
-      const Pack v = Pack::load(particles.velocity.component(c) + slot);
-      square += v * v;
-    }
-    twice += Pack::load(particles.mass.data() + slot) * square;
-  }
-  return 0.5 * sum(twice);
+/// Calls use(load) for eight particles of a block at a time; load(values) gives theirs, and 0 where there are fewer than eight left.
+template <class Use>
+void for_each_eight(const BlockRange& block, Use&& use) {
+  int slot = block.begin;
+  for (; slot + lanes <= block.end; slot += lanes)
+    use([slot](const double* values) { return Pack::load_unaligned(values + slot); });
+  if (slot < block.end) use([slot, &block](const double* values) { return Pack::load_some(values + slot, block.end - slot); });
 }
 
-/// Work of a constant body force since the reference configuration: sum of m g.u [energy].
-template <int D>
-double gravity_work(const Vec<double, D>& gravity, const Particles<D>& particles) {
-  if (dot(gravity, gravity) == 0.0) return 0.0;
-  Pack work;
-  for (int slot = 0; slot < particles.slots; slot += lanes) {
-    Pack along;
-    for (int c = 0; c < D; ++c) along += gravity[c] * Pack::load(particles.displacement.component(c) + slot);
-    work += Pack::load(particles.mass.data() + slot) * along;
+/// sums(block) gives an array of numbers for each block; all of them, block after block.
+template <std::size_t width, int D, class Sums>
+std::vector<double> of_each_block(const Particles<D>& particles, Sums&& sums) {
+  std::vector<double> all(particles.blocks.size() * width);
+  const auto count = static_cast<int>(particles.blocks.size());
+#pragma omp parallel for schedule(static) if (particles.slots >= fewest_for_threads)
+  for (int b = 0; b < count; ++b) {
+    const std::array<double, width> of_block = sums(particles.blocks[b]);
+    std::copy(of_block.begin(), of_block.end(), all.begin() + b * width);
   }
-  return sum(work);
+  return all;
+}
+
+/// Sum of m v^2 / 2 over each block [energy].
+template <int D>
+std::vector<double> kinetic_energies(const Particles<D>& particles) {
+  return of_each_block<1>(particles, [&](const BlockRange& block) -> std::array<double, 1> {
+    Pack twice;
+    for_each_eight(block, [&](const auto& load) {
+      Pack square;
+      for (int c = 0; c < D; ++c) {
+        const Pack v = load(particles.velocity.component(c));
+        square += v * v;
+      }
+      twice += load(particles.mass.data()) * square;
+    });
+    return {0.5 * sum(twice)};
+  });
 }
 
 /// What follows from the places and velocities of the particles alone.
 struct Totals {
   double kinetic = 0.0;  ///< sum m v^2 / 2 [energy]
   Momenta momenta;
-  double gravity_work = 0.0;
+  double gravity_work = 0.0;  ///< of a constant body force since the reference configuration: sum of m g.u [energy]
 };
 
-/// Kinetic energy; momenta: sums of m v, of x cross m v about the origin, and of |m v|. All in one pass, since it is limited by memory.
+/// Sums over one block of m v, x cross m v (about the origin), |m v|, m v^2, m g.u. All in one pass, since it is limited by memory.
 template <int D>
-Totals totals_of(const Particles<D>& particles, const Vec<double, D>& gravity) {
+std::array<double, 9> block_totals(const Particles<D>& particles, const BlockRange& block, const Vec<double, D>& gravity) {
   Vec<Pack, 3> linear, angular;
-  Pack scale, twice;
-  for (int slot = 0; slot < particles.slots; slot += lanes) {
-    const Pack mass = Pack::load(particles.mass.data() + slot);
+  Pack scale, twice, work;
+  for_each_eight(block, [&](const auto& load) {
+    const Pack mass = load(particles.mass.data());
     Vec<Pack, 3> x, v;
+    Pack along;
     for (int c = 0; c < D; ++c) {
-      x[c] = Pack::load(particles.position.component(c) + slot) + Pack::load(particles.displacement.component(c) + slot);
-      v[c] = Pack::load(particles.velocity.component(c) + slot);
+      const Pack u = load(particles.displacement.component(c));
+      x[c] = load(particles.position.component(c)) + u;
+      v[c] = load(particles.velocity.component(c));
+      along += gravity[c] * u;
     }
     const Vec<Pack, 3> p = mass * v;
     const Pack square = dot(v, v);
@@ -60,12 +79,22 @@ Totals totals_of(const Particles<D>& particles, const Vec<double, D>& gravity) {
     angular += cross(x, p);
     scale += mass * sqrt(square);
     twice += mass * square;
-  }
+    work += mass * along;
+  });
+  return {sum(linear[0]),  sum(linear[1]), sum(linear[2]), sum(angular[0]), sum(angular[1]),
+          sum(angular[2]), sum(scale),     sum(twice),     sum(work)};
+}
+
+/// Collective.
+template <int D>
+Totals totals_of(const Comm& comm, const Particles<D>& particles, const Vec<double, D>& gravity) {
+  const auto sums = [&](const BlockRange& block) { return block_totals(particles, block, gravity); };
+  const std::vector<double> all = sum_over_blocks(comm, particles.block_numbers(), of_each_block<9>(particles, sums), 9);
   Totals t;
-  for (int c = 0; c < 3; ++c) t.momenta.linear[c] = sum(linear[c]), t.momenta.angular[c] = sum(angular[c]);
-  t.momenta.linear_scale = sum(scale);
-  t.kinetic = 0.5 * sum(twice);
-  t.gravity_work = gravity_work(gravity, particles);
+  for (int c = 0; c < 3; ++c) t.momenta.linear[c] = all[c], t.momenta.angular[c] = all[3 + c];
+  t.momenta.linear_scale = all[6];
+  t.kinetic = 0.5 * all[7];
+  t.gravity_work = all[8];
   return t;
 }
 

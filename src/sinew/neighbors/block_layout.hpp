@@ -14,7 +14,7 @@ template <int D>
 class BlockLayout {
  public:
   /// `grids`: of each body, when places on a grid are asked for.
-  BlockLayout(const Particles<D>& particles, const PairList& list, const std::vector<SlabGrid>& grids)
+  BlockLayout(const Arrangement<D>& particles, const PairList& list, const std::vector<SlabGrid>& grids)
       : particles_(particles),
         list_(list),
         grids_(grids) {}
@@ -44,7 +44,7 @@ class BlockLayout {
   std::array<std::int64_t, 3> bins_of(int slot) const;
   void give_places();
 
-  const Particles<D>& particles_;
+  const Arrangement<D>& particles_;
   const PairList& list_;
   const std::vector<SlabGrid>& grids_;
   BlockRange block_;

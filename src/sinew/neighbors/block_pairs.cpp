@@ -29,11 +29,14 @@ struct Draft {
 template <int D>
 class BlockPairsMaker {
  public:
-  BlockPairsMaker(const Particles<D>& particles, const PairList& list, const std::vector<double>& radius)
+  /// `numbers`: of the blocks wanted.
+  BlockPairsMaker(const Arrangement<D>& particles, const PairList& list, const std::vector<double>& radius,
+                  const std::vector<int>& numbers)
       : particles_(particles),
         list_(list),
         reader_(particles, radius),
-        drafts_(particles.blocks.size()) {
+        numbers_(numbers),
+        drafts_(numbers.size()) {
     for (std::size_t t = 0; t < most_threads(); ++t) layouts_.emplace_back(particles, list, grids_);
   }
 
@@ -41,8 +44,8 @@ class BlockPairsMaker {
     if (look_for_lattice) make_grids();
     for_each([&](int b, BlockLayout<D>& layout) {
       Draft<D>& draft = drafts_[b];
-      if (look_for_lattice && is_lattice(particles_.blocks[b], layout, draft)) return;
-      layout.own_first(particles_.blocks[b]);
+      if (look_for_lattice && is_lattice(range_of(b), layout, draft)) return;
+      layout.own_first(range_of(b));
       draft.take(layout);
       draft.lattice = {};
       draft.lattice.of_slice.assign(draft.slices.size(), LatticePatterns<D>::none);
@@ -52,6 +55,7 @@ class BlockPairsMaker {
     pairs_.places = AlignedArray<PlaceIndex>(lanes * pairs_.entries());
     for_each([&](int b, BlockLayout<D>& layout) { write_entries(b, layout); });
     find_spills();
+    pairs_.blocks.connect();
     return std::move(pairs_);
   }
 
@@ -87,9 +91,9 @@ class BlockPairsMaker {
   void append(int b) {
     Blocks& blocks = pairs_.blocks;
     const Draft<D>& draft = drafts_[b];
-    const BlockRange& range = particles_.blocks[b];
+    const BlockRange& range = range_of(b);
     if (draft.slot_at.size() > place_limit) too_many_places(range);
-    Block block{range.body, range.begin, range.end, static_cast<int>(draft.slot_at.size()), blocks.slot_at.size()};
+    Block block{range.number, range.body, range.begin, range.end, static_cast<int>(draft.slot_at.size()), blocks.slot_at.size()};
     blocks.slot_at.insert(blocks.slot_at.end(), draft.slot_at.begin(), draft.slot_at.end());
     block.first_slice = blocks.slices();
     blocks.place_of_slice.insert(blocks.place_of_slice.end(), draft.slices.begin(), draft.slices.end());
@@ -132,7 +136,7 @@ class BlockPairsMaker {
   void write_entries(int b, BlockLayout<D>& layout) {
     const Block& block = pairs_.blocks.all[b];
     if (!block.has_list) return;
-    layout.restore(particles_.blocks[b], drafts_[b].slot_at);
+    layout.restore(range_of(b), drafts_[b].slot_at);
     std::vector<int> places;
     for (int slice = block.first_slice; slice < block.end_slice; ++slice) {
       const std::size_t first = pairs_.first_entry[slice], count = pairs_.first_entry[slice + 1] - first;
@@ -155,22 +159,20 @@ class BlockPairsMaker {
       for (int r = block.first_ghost; r < block.end_runs; ++r) {
         const int to = particles_.block_of(blocks.runs[r].slot);
         if (static_cast<int>(blocks.out.size()) == blocks.first_out[b] || blocks.out.back().to != to)
-          blocks.out.push_back({b, to, r, r});
+          blocks.out.push_back({block.number, to, r, r});
         blocks.out.back().end_run = r + 1;
       }
       blocks.first_out.push_back(static_cast<int>(blocks.out.size()));
     }
-    blocks.in = blocks.out;
-    std::stable_sort(blocks.in.begin(), blocks.in.end(), [](const Spill& a, const Spill& b) { return a.to < b.to; });
-    blocks.first_in.assign(blocks.count() + 1, 0);
-    for (const Spill& spill : blocks.in) ++blocks.first_in[spill.to + 1];
-    for (int b = 0; b < blocks.count(); ++b) blocks.first_in[b + 1] += blocks.first_in[b];
   }
 
-  const Particles<D>& particles_;
+  const BlockRange& range_of(int b) const { return particles_.blocks[numbers_[b]]; }
+
+  const Arrangement<D>& particles_;
   const PairList& list_;
   BlockPairs<D> pairs_;
   const LatticeReader<D> reader_;
+  const std::vector<int>& numbers_;
   std::vector<Draft<D>> drafts_;
   std::vector<SlabGrid> grids_;
   std::vector<BlockLayout<D>> layouts_;
@@ -179,7 +181,7 @@ class BlockPairsMaker {
 }  // namespace
 
 template <int D>
-std::vector<int> BlockPairs<D>::neighbors(int slot, const Particles<D>& particles) const {
+std::vector<int> BlockPairs<D>::neighbors(int slot, const Arrangement<D>& particles) const {
   const Block& block = blocks.all[particles.block_of(slot)];
   const int* slots = blocks.slots_of(block);
   const auto runs = blocks.runs.begin();
@@ -206,14 +208,24 @@ std::size_t BlockPairs<D>::bytes() const {
 }
 
 template <int D>
-BlockPairs<D> make_block_pairs(const Particles<D>& particles, PairList list, const std::vector<double>& support_radius,
+BlockPairs<D> make_block_pairs(const Arrangement<D>& particles, const std::vector<int>& blocks, PairList list,
+                               const std::vector<double>& support_radius, bool look_for_lattice) {
+  return BlockPairsMaker<D>(particles, list, support_radius, blocks).make(look_for_lattice);
+}
+
+template <int D>
+BlockPairs<D> make_block_pairs(const Arrangement<D>& particles, PairList list, const std::vector<double>& support_radius,
                                bool look_for_lattice) {
-  return BlockPairsMaker<D>(particles, list, support_radius).make(look_for_lattice);
+  return make_block_pairs(particles, particles.block_numbers(), std::move(list), support_radius, look_for_lattice);
 }
 
 template struct BlockPairs<2>;
 template struct BlockPairs<3>;
-template BlockPairs<2> make_block_pairs<2>(const Particles<2>&, PairList, const std::vector<double>&, bool);
-template BlockPairs<3> make_block_pairs<3>(const Particles<3>&, PairList, const std::vector<double>&, bool);
+template BlockPairs<2> make_block_pairs<2>(const Arrangement<2>&, PairList, const std::vector<double>&, bool);
+template BlockPairs<3> make_block_pairs<3>(const Arrangement<3>&, PairList, const std::vector<double>&, bool);
+template BlockPairs<2> make_block_pairs<2>(const Arrangement<2>&, const std::vector<int>&, PairList, const std::vector<double>&,
+                                           bool);
+template BlockPairs<3> make_block_pairs<3>(const Arrangement<3>&, const std::vector<int>&, PairList, const std::vector<double>&,
+                                           bool);
 
 }  // namespace sinew

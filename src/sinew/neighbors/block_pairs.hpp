@@ -22,14 +22,18 @@ struct BlockPairs {
   const PlaceIndex* entry(std::size_t e) const { return places.data() + lanes * e; }
   bool listed(int slice) const { return lattice.of_slice[slice] == LatticePatterns<D>::none; }
   /// The slots of the neighbors of a particle, ascending.
-  std::vector<int> neighbors(int slot, const Particles<D>& particles) const;
+  std::vector<int> neighbors(int slot, const Arrangement<D>& particles) const;
   std::size_t bytes() const;
 };
 
 /// Lays out pairs block by block. A block of which less than half of the slices have a lattice pattern has none.
 template <int D>
-BlockPairs<D> make_block_pairs(const Particles<D>& particles, PairList list, const std::vector<double>& support_radius,
+BlockPairs<D> make_block_pairs(const Arrangement<D>& particles, PairList list, const std::vector<double>& support_radius,
                                bool look_for_lattice);
+/// Only those of some blocks, given by their numbers in ascending order.
+template <int D>
+BlockPairs<D> make_block_pairs(const Arrangement<D>& particles, const std::vector<int>& blocks, PairList list,
+                               const std::vector<double>& support_radius, bool look_for_lattice);
 
 extern template struct BlockPairs<2>;
 extern template struct BlockPairs<3>;

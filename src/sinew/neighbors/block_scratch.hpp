@@ -114,10 +114,10 @@ class BlockScratch {
   AlignedArray<double> place_rows_, force_rows_, volume_, radius_, kept_;
 };
 
-/// Adds to the forces on the particles of block `number` what others have spilled into it, in their order.
+/// Adds to the forces on the particles of one block what others have spilled into it, in their order.
 template <int D>
-void add_spilled(const Blocks& blocks, int number, const VectorField<D>& spilled, VectorField<D>& forces) {
-  for (int s = blocks.first_in[number]; s < blocks.first_in[number + 1]; ++s)
+void add_spilled(const Blocks& blocks, int index, const VectorField<D>& spilled, VectorField<D>& forces) {
+  for (int s = blocks.first_in[index]; s < blocks.first_in[index + 1]; ++s)
     for (int r = blocks.in[s].first_run; r < blocks.in[s].end_run; ++r) {
       const Run& run = blocks.runs[r];
       for (int c = 0; c < D; ++c) {

@@ -2,12 +2,13 @@
 /// Blocks as units of work. A block keeps its own particles and those of other blocks that its pairs reach, its ghosts, at places of its own: all
 /// that the loops over its pairs touch is near. It adds its pair forces, in order, at these places; what its ghosts have received is
 /// spilled into the blocks that own them, in the order of the blocks. So sums have one order, whoever computes a block: any number of threads
-/// gives the same bits.
+/// and of ranks gives the same bits.
 
 #include <atomic>
 #include <cstdint>
 #include <sinew/neighbors/threads.hpp>
 #include <sinew/particles/particles.hpp>
+#include <span>
 #include <vector>
 
 namespace sinew {
@@ -23,6 +24,7 @@ struct Run {
 };
 
 struct Block {
+  int number = 0;  ///< in the order of all blocks of the case
   int body = 0;
   int begin = 0, end = 0;                            ///< slots of its own particles
   int places = 0;                                    ///< own particles, ghosts and padding: whole slices
@@ -34,21 +36,30 @@ struct Block {
   bool owns(int slot) const { return slot >= begin && slot < end; }
 };
 
-/// Runs of ghosts of block `from` that block `to` owns.
+/// Runs of ghosts of the block with the number `from`, which the one with the number `to` owns.
 struct Spill {
   int from, to, first_run, end_run;
 };
 
+/// The blocks of this rank, in the order of their numbers.
 struct Blocks {
   static constexpr int nobody = -1;
   std::vector<Block> all;
   std::vector<Run> runs;
   std::vector<int> slot_at;         ///< place p of block b: slot_at[b.first_place + p]; `nobody`: padding
   std::vector<int> place_of_slice;  ///< slice -> place of its first lane in its block
-  std::vector<Spill> out, in;       ///< the same, in the order of `from` and of `to`
-  std::vector<int> first_out, first_in;
-  int ghosts = 0;
+  std::vector<Spill> out;           ///< of the blocks here, block after block
+  std::vector<int> first_out;
+  std::vector<Spill> received;  ///< from blocks of other ranks
+  int ghosts = 0;               ///< places for forces that are spilled or received
 
+  // made by connect() from what is above
+  std::vector<Spill> in;  ///< what comes into each block here, in the order of `from`
+  std::vector<int> first_in;
+  std::vector<int> told;      ///< of each of `out`: which of `all` it goes to; `nobody`: one of another rank
+  std::vector<int> awaiting;  ///< those of `all` that receive something
+
+  void connect();
   int slices() const { return static_cast<int>(place_of_slice.size()); }
   int count() const { return static_cast<int>(all.size()); }
   int most_places() const;
@@ -56,20 +67,29 @@ struct Blocks {
   std::size_t bytes() const;
 };
 
-/// Counts, for each block, how many of itself and those that spill into it are still to be done.
+/// Counts, for each block, how many of itself and those that spill into it are still to be done; all that other ranks spill counts as one.
 class BlockCountdown {
  public:
-  explicit BlockCountdown(const Blocks& blocks) : blocks_(blocks), left_(blocks.all.size()) {}
+  explicit BlockCountdown(const Blocks& blocks) : blocks_(blocks), left_(blocks.all.size()), start_(blocks.all.size(), 1) {
+    for (int to : blocks.told)
+      if (to != Blocks::nobody) ++start_[to];
+    for (int to : blocks.awaiting) ++start_[to];
+  }
 
   void start() {
-    for (int b = 0; b < blocks_.count(); ++b)
-      left_[b].store(1 + blocks_.first_in[b + 1] - blocks_.first_in[b], std::memory_order_relaxed);
+    for (std::size_t b = 0; b < start_.size(); ++b) left_[b].store(start_[b], std::memory_order_relaxed);
   }
-  /// To be called when block b is done: calls finish(number) for every block for which that was the last.
+  /// To be called when block b is done: calls finish(b) for every block for which that was the last.
   template <class Finish>
   void done(int b, Finish&& finish) {
     count_down(b, finish);
-    for (int s = blocks_.first_out[b]; s < blocks_.first_out[b + 1]; ++s) count_down(blocks_.out[s].to, finish);
+    for (int s = blocks_.first_out[b]; s < blocks_.first_out[b + 1]; ++s)
+      if (const int to = blocks_.told[s]; to != Blocks::nobody) count_down(to, finish);
+  }
+  /// To be called for each of blocks.awaiting when everything has been received.
+  template <class Finish>
+  void received(int b, Finish&& finish) {
+    count_down(b, finish);
   }
 
  private:
@@ -80,18 +100,17 @@ class BlockCountdown {
 
   const Blocks& blocks_;
   std::vector<std::atomic<int>> left_;
+  std::vector<int> start_;
 };
 
-/// Calls work(number) for every block and finish(number) for those to which no block will add any more, on all threads.
-template <class Work, class Finish>
-void for_each_block(const Blocks& blocks, BlockCountdown& countdown, Work&& work, Finish&& finish) {
-  const int count = blocks.count();
-  const bool many = count > 1 && blocks.all.back().end >= fewest_for_threads;
-  countdown.start();
-#pragma omp parallel for schedule(dynamic, 1) if (many)
-  for (int b = 0; b < count; ++b) {
-    work(b);
-    countdown.done(b, finish);
+/// Calls work(b) for some blocks on all threads (if `many`), and meanwhile() on the main thread after each that it has done itself.
+template <class Work, class Meanwhile>
+void for_each_block(std::span<const int> some, bool many, Work&& work, Meanwhile&& meanwhile) {
+  const int count = static_cast<int>(some.size());
+#pragma omp parallel for schedule(dynamic, 1) if (many && count > 1)
+  for (int k = 0; k < count; ++k) {
+    work(some[k]);
+    if (this_thread() == 0) meanwhile();
   }
 }
 

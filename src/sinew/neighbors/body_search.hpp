@@ -18,7 +18,7 @@ struct NearRow {
 template <int D>
 class BodySearch {
  public:
-  BodySearch(const Particles<D>& particles, const BodyRange& range)
+  BodySearch(const Arrangement<D>& particles, const BodyRange& range)
       : body_(range),
         cells_(reference_points(particles, range).view(), range.spacing) {}
 
@@ -68,7 +68,7 @@ class BodySearch {
     int begin, end;
   };
 
-  static AlignedArray<Point> reference_points(const Particles<D>& particles, const BodyRange& range) {
+  static AlignedArray<Point> reference_points(const Arrangement<D>& particles, const BodyRange& range) {
     AlignedArray<Point> points(range.count);
     for (int i = 0; i < range.count; ++i) points[i] = particles.reference(range.begin + i);
     return points;

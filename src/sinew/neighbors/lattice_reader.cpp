@@ -44,7 +44,7 @@ std::uint64_t hash(const SliceShape<D>& shape) {
 }  // namespace
 
 template <int D>
-LatticeReader<D>::LatticeReader(const Particles<D>& particles, const std::vector<double>& radius)
+LatticeReader<D>::LatticeReader(const Arrangement<D>& particles, const std::vector<double>& radius)
     : particles_(particles),
       radius_(radius) {
   double farthest = 0.0;

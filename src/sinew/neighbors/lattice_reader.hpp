@@ -34,7 +34,7 @@ struct BlockShapes {
 template <int D>
 class LatticeReader {
  public:
-  LatticeReader(const Particles<D>& particles, const std::vector<double>& radius);
+  LatticeReader(const Arrangement<D>& particles, const std::vector<double>& radius);
 
   /// Shapes of slices of a block, which begin at these places.
   BlockShapes<D> read(const BlockLayout<D>& layout, const std::vector<int>& slices) const;
@@ -45,7 +45,7 @@ class LatticeReader {
   bool same(const SliceShape<D>& a, const SliceShape<D>& b) const;
   Bond<D> bond_of(int i, int j) const;
 
-  const Particles<D>& particles_;
+  const Arrangement<D>& particles_;
   const std::vector<double>& radius_;
   double tolerance_ = 0.0;
 };

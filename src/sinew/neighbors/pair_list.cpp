@@ -28,19 +28,22 @@ struct Piece {
 constexpr int piece_slots = 32 * lanes;  // enough for its overhead, little enough for the caches
 
 template <int D>
-std::vector<BodySearch<D>> make_searches(const Particles<D>& particles) {
+std::vector<BodySearch<D>> make_searches(const Arrangement<D>& particles) {
   std::vector<BodySearch<D>> searches;
   searches.reserve(particles.bodies.size());
   for (const BodyRange& body : particles.bodies) searches.emplace_back(particles, body);
   return searches;
 }
 
-template <int D>
-std::vector<Piece<D>> make_pieces(const std::vector<BodySearch<D>>& searches) {
+/// Pieces in which wanted(begin, end).
+template <int D, class Wanted>
+std::vector<Piece<D>> make_pieces(const std::vector<BodySearch<D>>& searches, const Wanted& wanted) {
   std::vector<Piece<D>> pieces;
   for (const BodySearch<D>& search : searches)
-    for (int begin = search.body().begin; begin < search.body().end; begin += piece_slots)
-      pieces.push_back({&search, begin, std::min(begin + piece_slots, search.body().end)});
+    for (int begin = search.body().begin; begin < search.body().end; begin += piece_slots) {
+      const int end = std::min(begin + piece_slots, search.body().end);
+      if (wanted(begin, end)) pieces.push_back({&search, begin, end});
+    }
   return pieces;
 }
 
@@ -217,9 +220,12 @@ void count_entries(PairList& list) {
 }  // namespace
 
 template <int D>
-PairList build_pair_list(const Particles<D>& particles, const std::vector<double>& support_radius) {
+PairList build_pair_list(const Arrangement<D>& particles, const std::vector<double>& support_radius) {
   const std::vector<BodySearch<D>> searches = make_searches(particles);
-  std::vector<Piece<D>> pieces = make_pieces(searches);
+  const auto some_see = [&](int begin, int end) {
+    return std::any_of(support_radius.begin() + begin, support_radius.begin() + end, [](double r) { return r > 0.0; });
+  };
+  std::vector<Piece<D>> pieces = make_pieces(searches, some_see);
   const int count = static_cast<int>(pieces.size());
   PairList list;
   list.neighbor_count.assign(particles.slots, 0);
@@ -238,14 +244,19 @@ PairList build_pair_list(const Particles<D>& particles, const std::vector<double
 }
 
 template <int D>
-std::vector<double> radius_of_neighbors(const Particles<D>& particles, double neighbors) {
+std::vector<double> radius_of_neighbors(const Arrangement<D>& particles, double neighbors, const std::vector<int>& blocks) {
   const int wanted = static_cast<int>(std::lround(neighbors));
   for (const BodyRange& body : particles.bodies)
     if (body.count < wanted + 2)
       throw CaseError("body \"" + body.name + "\" has " + std::to_string(body.count) + " particles, too few for neighbors = " +
                       std::to_string(wanted) + " around each. Make its spacing smaller or ask for fewer neighbors.");
   const std::vector<BodySearch<D>> searches = make_searches(particles);
-  const std::vector<Piece<D>> pieces = make_pieces(searches);
+  const auto ends_before = [&](int number, int slot) { return particles.blocks[number].end <= slot; };
+  const auto in_blocks = [&](int begin, int end) {
+    const auto next = std::lower_bound(blocks.begin(), blocks.end(), begin, ends_before);
+    return next != blocks.end() && particles.blocks[*next].begin < end;
+  };
+  const std::vector<Piece<D>> pieces = make_pieces(searches, in_blocks);
   const int count = static_cast<int>(pieces.size());
   std::vector<double> radius(particles.slots, 0.0);
 #pragma omp parallel if (particles.slots >= fewest_for_threads)
@@ -257,9 +268,9 @@ std::vector<double> radius_of_neighbors(const Particles<D>& particles, double ne
   return radius;
 }
 
-template PairList build_pair_list<2>(const Particles<2>&, const std::vector<double>&);
-template PairList build_pair_list<3>(const Particles<3>&, const std::vector<double>&);
-template std::vector<double> radius_of_neighbors<2>(const Particles<2>&, double);
-template std::vector<double> radius_of_neighbors<3>(const Particles<3>&, double);
+template PairList build_pair_list<2>(const Arrangement<2>&, const std::vector<double>&);
+template PairList build_pair_list<3>(const Arrangement<3>&, const std::vector<double>&);
+template std::vector<double> radius_of_neighbors<2>(const Arrangement<2>&, double, const std::vector<int>&);
+template std::vector<double> radius_of_neighbors<3>(const Arrangement<3>&, double, const std::vector<int>&);
 
 }  // namespace sinew

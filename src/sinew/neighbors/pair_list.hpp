@@ -20,13 +20,14 @@ struct PairList {
   std::size_t bytes() const { return neighbor.bytes() + neighbor_count.size() * 4 + first_entry.size() * 8; }
 };
 
-/// Builds the list; only particles of the same body see each other. `support_radius`: R_i per slot [length].
+/// Builds the list; only particles of the same body see each other. `support_radius`: R_i per slot [length]; 0: sees nobody.
 template <int D>
-PairList build_pair_list(const Particles<D>& particles, const std::vector<double>& support_radius);
+PairList build_pair_list(const Arrangement<D>& particles, const std::vector<double>& support_radius);
 
 /// Per particle (in slots) the radius inside which about `neighbors` others lie: halfway (in the d-th power) between the farthest one that is
-/// in and the nearest that is out. A body of fewer particles than that is an error of the case.
+/// in and the nearest that is out. A body of fewer particles than that is an error of the case. Only particles of the blocks with the
+/// given numbers, ascending, are sure to have theirs.
 template <int D>
-std::vector<double> radius_of_neighbors(const Particles<D>& particles, double neighbors);
+std::vector<double> radius_of_neighbors(const Arrangement<D>& particles, double neighbors, const std::vector<int>& blocks);
 
 }  // namespace sinew

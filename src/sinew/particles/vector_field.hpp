@@ -13,7 +13,10 @@ template <int D>
 class VectorField {
  public:
   VectorField() = default;
-  explicit VectorField(std::size_t slots) : stride_(((slots / per_line + 1) | 1) * per_line), data_(slots ? D * stride_ : 0) {}
+  explicit VectorField(std::size_t slots) : stride_(stride_of(slots)), data_(slots ? D * stride_ : 0) {}
+
+  /// How far apart the components of a field of so many slots lie [doubles].
+  static constexpr std::size_t stride_of(std::size_t slots) { return ((slots / per_line + 1) | 1) * per_line; }
 
   double* component(int c) { return data_.data() + c * stride_; }
   const double* component(int c) const { return data_.data() + c * stride_; }

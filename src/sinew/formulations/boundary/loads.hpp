@@ -20,19 +20,19 @@ template <int D>
 class Loads {
  public:
   Loads() = default;
-  explicit Loads(std::vector<LoadCondition> conditions);
+  Loads(std::vector<LoadCondition> conditions, const Particles<D>& particles);
 
   void remember(const Particles<D>& particles);
   /// Adds the loads of time t to the forces and counts their work since `remember` (not at the start, where `dt` is 0).
   void add(const Particles<D>& particles, double t, double dt, VectorField<D>& forces);
-  double work() const { return work_; }
-
-  std::vector<double> forces() const;
-  void restore(const std::vector<double>& forces, double work);
+  /// Done so far on the particles of each block [energy].
+  const std::vector<double>& work() const { return work_; }
+  /// Restart at time t: takes over the work; the forces follow from places and time.
+  void restore(const Particles<D>& particles, double t, std::vector<double> work);
 
  private:
   struct Entry {
-    int slot;
+    int slot, block;
     double share, previous_u = 0.0, force = 0.0;
   };
   struct Applied {
@@ -40,8 +40,12 @@ class Loads {
     FieldFunction function;
     std::vector<Entry> entries;
   };
+  /// Calls use(applied, entry, force) with the force of time t.
+  template <class Use>
+  void for_each(const Particles<D>& particles, double t, Use&& use);
+
   std::vector<Applied> conditions_;
-  double work_ = 0.0;
+  std::vector<double> work_;
 };
 
 extern template class Loads<2>;

@@ -18,10 +18,11 @@ Samples sample(const FieldFunction& f, const Particles<D>& particles, int slot, 
 }  // namespace
 
 template <int D>
-PrescribedMotion<D>::PrescribedMotion(std::vector<MotionCondition> conditions) {
+PrescribedMotion<D>::PrescribedMotion(std::vector<MotionCondition> conditions, const Particles<D>& particles)
+    : work_(particles.blocks.size(), 0.0) {
   for (MotionCondition& condition : conditions) {
     Held held{std::move(condition), {}};
-    for (int slot : held.condition.slots) held.entries.push_back({slot});
+    for (int slot : held.condition.slots) held.entries.push_back({slot, particles.block_of(slot)});
     conditions_.push_back(std::move(held));
   }
 }
@@ -65,8 +66,8 @@ void PrescribedMotion<D>::hold(Particles<D>& particles, double t, double dt, dou
       }
       double& a = particles.acceleration.at(c.component, entry.slot);
       const double reaction = particles.mass[entry.slot] * (acceleration + damping * velocity - a);
-      work_ += 0.5 * (entry.reaction + reaction) * (particles.displacement.at(c.component, entry.slot) - entry.previous_u) *
-               (dt > 0.0);
+      work_[entry.block] += 0.5 * (entry.reaction + reaction) *
+                            (particles.displacement.at(c.component, entry.slot) - entry.previous_u) * (dt > 0.0);
       entry.reaction = reaction;
       particles.velocity.at(c.component, entry.slot) = velocity;
       a = acceleration;
@@ -75,27 +76,31 @@ void PrescribedMotion<D>::hold(Particles<D>& particles, double t, double dt, dou
 }
 
 template <int D>
-VectorField<D> PrescribedMotion<D>::reaction_field(int slots) const {
-  VectorField<D> field(slots);
-  for (const Held& held : conditions_)
-    for (const Entry& entry : held.entries) field.at(held.condition.component, entry.slot) += entry.reaction;
-  return field;
+std::vector<Vec<double, D>> PrescribedMotion<D>::reactions_on(const std::vector<int>& slots) const {
+  std::vector<Vec<double, D>> sums(work_.size());
+  for (const Held& held : conditions_) {
+    auto wanted = slots.begin();
+    for (const Entry& entry : held.entries) {
+      while (wanted != slots.end() && *wanted < entry.slot) ++wanted;
+      if (wanted != slots.end() && *wanted == entry.slot) sums[entry.block][held.condition.component] += entry.reaction;
+    }
+  }
+  return sums;
 }
 
 template <int D>
-std::vector<double> PrescribedMotion<D>::reactions() const {
-  std::vector<double> all;
-  for (const Held& held : conditions_)
-    for (const Entry& entry : held.entries) all.push_back(entry.reaction);
+std::vector<typename PrescribedMotion<D>::Reaction> PrescribedMotion<D>::reactions() const {
+  std::vector<Reaction> all;
+  for (std::size_t c = 0; c < conditions_.size(); ++c)
+    for (const Entry& entry : conditions_[c].entries) all.push_back({static_cast<int>(c), entry.slot, entry.reaction});
   return all;
 }
 
 template <int D>
-void PrescribedMotion<D>::restore(const std::vector<double>& reactions, double work) {
-  std::size_t k = 0;
-  for (Held& held : conditions_)
-    for (Entry& entry : held.entries) entry.reaction = reactions.at(k++);
-  work_ = work;
+void PrescribedMotion<D>::restore(FunctionRef<double(int, int)> reaction, std::vector<double> work) {
+  for (std::size_t c = 0; c < conditions_.size(); ++c)
+    for (Entry& entry : conditions_[c].entries) entry.reaction = reaction(static_cast<int>(c), entry.slot);
+  work_ = std::move(work);
 }
 
 template class PrescribedMotion<2>;

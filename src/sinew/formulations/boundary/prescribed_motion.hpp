@@ -2,6 +2,7 @@
 /// Particles whose displacement or velocity is given, component by component, and the forces that hold them there.
 
 #include <sinew/core/field_function.hpp>
+#include <sinew/core/function_ref.hpp>
 #include <sinew/particles/particles.hpp>
 #include <vector>
 
@@ -21,7 +22,7 @@ template <int D>
 class PrescribedMotion {
  public:
   PrescribedMotion() = default;
-  explicit PrescribedMotion(std::vector<MotionCondition> conditions);
+  PrescribedMotion(std::vector<MotionCondition> conditions, const Particles<D>& particles);
 
   void remember(const Particles<D>& particles);
   /// Puts the particles where they have to be at t + dt: u = function(t + dt), or u += dt function(t + dt/2).
@@ -30,18 +31,23 @@ class PrescribedMotion {
   /// R = m (a_prescribed + damping v) - (internal + hourglass + external force). `dt`: length of the step, 0 at the start; `damping`: rate [1/time].
   void hold(Particles<D>& particles, double t, double dt, double damping);
 
-  bool empty() const { return conditions_.empty(); }
-  /// Reaction on each of `slots` particles [force]; zero where nothing is held.
-  VectorField<D> reaction_field(int slots) const;
-  double work() const { return work_; }  ///< done by the reactions so far [energy]
+  /// Sum of the reactions on some particles, given by ascending slots, for each block [force].
+  std::vector<Vec<double, D>> reactions_on(const std::vector<int>& slots) const;
+  /// Done by the reactions on the particles of each block so far [energy].
+  const std::vector<double>& work() const { return work_; }
 
-  // restart: everything that is not a function of particles and time
-  std::vector<double> reactions() const;
-  void restore(const std::vector<double>& reactions, double work);
+  /// A reaction that a restart needs: everything else is a function of particles and time.
+  struct Reaction {
+    int condition, slot;
+    double value;
+  };
+  std::vector<Reaction> reactions() const;
+  /// `reaction(condition, slot)` gives them back.
+  void restore(FunctionRef<double(int, int)> reaction, std::vector<double> work);
 
  private:
   struct Entry {
-    int slot;
+    int slot, block;
     double previous_u = 0.0, reaction = 0.0;
   };
   struct Held {
@@ -49,7 +55,7 @@ class PrescribedMotion {
     std::vector<Entry> entries;
   };
   std::vector<Held> conditions_;
-  double work_ = 0.0;
+  std::vector<double> work_;
 };
 
 extern template class PrescribedMotion<2>;

@@ -1,0 +1,99 @@
+#include <sinew/model/solid_setup.hpp>
+
+namespace sinew {
+
+namespace {
+
+template <int D>
+Arrangement<D> arrangement_of(const Case& c, const std::vector<GeneratedBody>& bodies) {
+  std::vector<BodyPoints> points;
+  for (std::size_t b = 0; b < bodies.size(); ++b)
+    points.push_back({c.bodies[b].name, &bodies[b].points,
+                      std::visit([](const auto& m) { return m.density; }, c.bodies[b].material), bodies[b].spacing});
+  return arrange<D>(points);
+}
+
+/// Of the particles of some blocks; 0 for the others, which then see nobody.
+template <int D>
+std::vector<double> support_radii(const Case& c, const Arrangement<D>& all, const std::vector<int>& blocks) {
+  std::vector<double> radius(all.slots, 0.0), found;
+  if (c.formulation.neighbors) found = radius_of_neighbors(all, *c.formulation.neighbors, blocks);
+  for (const int number : blocks) {
+    const BlockRange& block = all.blocks[number];
+    const double uniform = c.formulation.support.value_or(FormulationCase::default_support) * all.bodies[block.body].spacing;
+    for (int slot = block.begin; slot < block.end; ++slot) radius[slot] = found.empty() ? uniform : found[slot];
+  }
+  return radius;
+}
+
+double thickness_of(const Case& c) { return c.general.dimension == 3 ? 1.0 : c.general.thickness; }
+
+/// Rank of each block.
+template <int D>
+std::vector<int> owners_of_blocks(const Case& c, const Arrangement<D>& all, const Comm& comm) {
+  const BlockGraph graph = graph_of(c, all, comm);
+  std::vector<int> owner;
+  comm.on_root([&] { owner = partition(graph, comm.size()); });
+  comm.broadcast(owner);
+  return owner;
+}
+
+template <int D>
+SolidSetup<D> set_up_alone(const Case& c, Arrangement<D> all, Regions regions, bool lattice) {
+  std::vector<double> radius = support_radii(c, all, all.block_numbers());
+  BlockPairs<D> pairs = make_block_pairs(all, build_pair_list(all, radius), radius, lattice);
+  return {Particles<D>(std::move(all), thickness_of(c)), std::move(regions), std::move(pairs), std::move(radius), Halo()};
+}
+
+template <int D>
+SolidSetup<D> set_up_share(const Case& c, const Arrangement<D>& all, Regions regions, bool lattice, const Comm& comm) {
+  std::vector<int> owner = owners_of_blocks(c, all, comm), own;
+  for (std::size_t b = 0; b < owner.size(); ++b)
+    if (owner[b] == comm.rank()) own.push_back(static_cast<int>(b));
+  BlockPairs<D> pairs;
+  std::vector<double> radius;
+  comm.together([&] {
+    radius = support_radii(c, all, own);
+    pairs = make_block_pairs(all, own, build_pair_list(all, radius), radius, lattice);
+  });
+  const Share share = make_share(comm, all, std::move(owner), pairs.blocks);
+  Halo halo = distribute(comm, share, pairs);
+  keep_own(regions, share);
+  std::vector<double> own_radius(share.slots, 0.0);
+  for (int slot = 0; slot < all.slots; ++slot)
+    if (radius[slot] > 0.0) own_radius[share.local_of[slot]] = radius[slot];
+  own_radius.resize(share.slots + share.copied(), 0.0);
+  return {Particles<D>(part_of(all, share), thickness_of(c), share.copied()), std::move(regions), std::move(pairs),
+          std::move(own_radius), std::move(halo)};
+}
+
+}  // namespace
+
+template <int D>
+BlockGraph graph_of(const Case& c, const Arrangement<D>& all, const Comm& comm) {
+  const std::vector<int> some = equal_share(static_cast<int>(all.blocks.size()), comm.rank(), comm.size());
+  PairList list;
+  comm.together([&] { list = build_pair_list(all, support_radii(c, all, some)); });
+  return block_graph(comm, all, some, list);
+}
+
+template <int D>
+SolidSetup<D> set_up(const Case& c, const std::vector<GeneratedBody>& bodies, const TotalLagrangianOptions& options,
+                     const Comm& comm) {
+  Arrangement<D> all;
+  Regions regions;
+  comm.together([&] {
+    all = arrangement_of<D>(c, bodies);
+    regions = select_regions(c, bodies, all);
+  });
+  const bool lattice = may_use_lattice(options);
+  if (comm.alone()) return set_up_alone(c, std::move(all), std::move(regions), lattice);
+  return set_up_share(c, all, std::move(regions), lattice, comm);
+}
+
+template SolidSetup<2> set_up<2>(const Case&, const std::vector<GeneratedBody>&, const TotalLagrangianOptions&, const Comm&);
+template SolidSetup<3> set_up<3>(const Case&, const std::vector<GeneratedBody>&, const TotalLagrangianOptions&, const Comm&);
+template BlockGraph graph_of<2>(const Case&, const Arrangement<2>&, const Comm&);
+template BlockGraph graph_of<3>(const Case&, const Arrangement<3>&, const Comm&);
+
+}  // namespace sinew

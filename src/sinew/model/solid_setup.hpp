@@ -1,0 +1,30 @@
+#pragma once
+/// From the bodies of a case to the particles and pairs of one rank.
+
+#include <sinew/formulations/total_lagrangian.hpp>
+#include <sinew/model/regions.hpp>
+#include <sinew/parallel/decomposition.hpp>
+
+namespace sinew {
+
+/// What a rank computes with. Of a process alone it is everything.
+template <int D>
+struct SolidSetup {
+  Particles<D> particles;
+  Regions regions;
+  BlockPairs<D> pairs;
+  std::vector<double> support_radius;  ///< per slot [length]
+  Halo halo;
+};
+
+/// Every rank generates all points and their order, since these are cheap; then pairs are counted, blocks are given to ranks, and each keeps
+/// its share. Collective.
+template <int D>
+SolidSetup<D> set_up(const Case& c, const std::vector<GeneratedBody>& bodies, const TotalLagrangianOptions& options,
+                     const Comm& comm);
+
+/// The blocks of a case as a graph, whoever computes them. Collective.
+template <int D>
+BlockGraph graph_of(const Case& c, const Arrangement<D>& all, const Comm& comm);
+
+}  // namespace sinew
