@@ -16,8 +16,8 @@ struct StoredWeights {
   using Shared = int;
   SINEW_INLINE int of_slice(int place) const { return place; }
   SINEW_INLINE void prefetch(std::size_t entry) const {
-    __builtin_prefetch(gradient + lanes * entry, 0, 0);
-    if constexpr (with_hourglass) __builtin_prefetch(hourglass + lanes * entry, 0, 0);
+    __builtin_prefetch(gradient + lanes * entry);
+    if constexpr (with_hourglass) __builtin_prefetch(hourglass + lanes * entry);
   }
   SINEW_INLINE Weight stored(std::size_t entry) const {
     Weight w{Pack::load(gradient + lanes * entry)};

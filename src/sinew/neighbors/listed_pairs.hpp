@@ -52,7 +52,7 @@ class ListedPairs {
     double* kept = data_.kept;
     for (std::size_t e = begin_; e < end_; ++e) {
       const PlaceIndex* index = data_.pairs.entry(e);
-      __builtin_prefetch(index + 32 * lanes, 0, 0);
+      __builtin_prefetch(index + 32 * lanes);
       weights_.prefetch(e + 32);
       const PlacePack<D> other = load_places<D>(data_.place_rows, index);
       const Vec<Pack, D> u = other.u - own.u, X = other.X - own.X;
