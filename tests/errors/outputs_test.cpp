@@ -7,7 +7,7 @@ namespace sinew {
 static const std::vector<WrongCase> wrong_outputs{
     {"UnknownKeyInSolver", "cfl =", "clf =",
      "case.toml:29:1: [solver]: unknown key \"clf\". Did you mean \"cfl\"? Known keys: mode, integrator, cfl, end_time, "
-     "max_steps, time_step, damping, pair_weights, lattice."},
+     "max_steps, time_step, damping, pair_weights, lattice, block_size."},
     {"UnknownKeyInOutput", "every =", "evry =",
      "case.toml:32:1: [output]: unknown key \"evry\". Did you mean \"every\"? Known keys: every, history_every, "
      "checkpoint_every, fields, precision, picture_field, picture."},
@@ -22,7 +22,7 @@ static const std::vector<WrongCase> wrong_outputs{
     {"EndTimeZero", "end_time = 0.5", "end_time = 0", "case.toml:30:12: [solver]: end_time must be greater than 0, found 0"},
     {"EndTimeMissing", "end_time = 0.5", "max_stepss = 5",
      "case.toml:30:1: [solver]: unknown key \"max_stepss\". Did you mean \"max_steps\"? Known keys: mode, integrator, cfl, "
-     "end_time, max_steps, time_step, damping, pair_weights, lattice."},
+     "end_time, max_steps, time_step, damping, pair_weights, lattice, block_size."},
     {"NoEnd", "end_time = 0.5\n", "",
      "case.toml:28:1: [solver]: \"end_time\" is missing. Give the time at which the run ends, or max_steps."},
     {"CflTooLarge", "cfl = 0.3", "cfl = 1.5", "case.toml:29:7: [solver]: cfl must be greater than 0 and at most 1, found 1.5"},

@@ -33,22 +33,26 @@ CaseRun::CaseRun(const Case& case_, Simulation& simulation_, const RunFolder& fo
       folder(folder_),
       reporter(reporter_),
       control(control_),
-      recorder(case_, simulation_, folder_),
+      recorder(case_, simulation_, folder_, control_.comm),
       case_text(toml_text(case_.resolved)),
       frames_need_record(std::any_of(case_.output.fields.begin(), case_.output.fields.end(),
                                      [](const std::string& field) { return needs_record(field); })) {}
 
 void CaseRun::begin() {
-  write_atomically(folder.resolved_case(), case_text);
-  frames.emplace(folder, PvdSeries(folder.series()), real_of(c.output));
+  control.comm.on_root([&] {
+    write_atomically(folder.resolved_case(), case_text);
+    frames.emplace(folder, PvdSeries(folder.series()), real_of(c.output));
+  });
   write_frame();
   recorder.begin();
 }
 
 void CaseRun::resume(const Checkpoint& checkpoint) {
   simulation.restore({checkpoint.time, checkpoint.step, checkpoint.numbers, checkpoint.arrays});
-  write_atomically(folder.resolved_case(), case_text);
-  frames.emplace(folder, PvdSeries::resume(folder.series(), checkpoint.time), real_of(c.output));
+  control.comm.on_root([&] {
+    write_atomically(folder.resolved_case(), case_text);
+    frames.emplace(folder, PvdSeries::resume(folder.series(), checkpoint.time), real_of(c.output));
+  });
   recorder.resume(checkpoint.numbers);
   last_frame_step = static_cast<long>(checkpoint.numbers.at("run.last_frame_step"));
   earlier_seconds = checkpoint.numbers.at("run.wall_seconds");
@@ -68,7 +72,7 @@ RunResult CaseRun::to_the_end() {
   write_rest();
   FinishedRun finished{status == "completed", simulation.time(), recorder.probes(), {}};
   RunResult result{summarize(finished), std::move(finished)};
-  attempt([&] { write_summary(folder.summary(), result.summary); });
+  attempt([&] { control.comm.on_root([&] { write_summary(folder.summary(), result.summary); }); });
   result.summary.status = status;
   say_end(result.summary);
   return result;
@@ -78,7 +82,7 @@ void CaseRun::march() {
   const auto state = [&] { return ProgressState{fraction(), simulation.time(), simulation.steps(), recorder.energy_drift()}; };
   Progress progress(reporter, simulation.facts().particles, c.general.units.name_of("s"), state());
   while (status == "completed" && !at_end()) {
-    if (interruption_requested()) {
+    if (control.comm.any(interruption_requested())) {
       status = "interrupted";
       break;
     }
@@ -111,22 +115,29 @@ void CaseRun::write_due(double time_before) {
 }
 
 void CaseRun::write_frame() {
-  Snapshot snapshot = frames->spent();
+  Snapshot snapshot = frames ? frames->spent() : std::move(spare);
   simulation.fill_snapshot(c.output.fields, snapshot);
-  frames->write(std::move(snapshot));
+  control.comm.on_root([&] { frames->write(std::move(snapshot)); });
+  if (!frames) spare = std::move(snapshot);
   last_frame_step = simulation.steps();
 }
 
 void CaseRun::write_state() {
-  frames->drain();
+  drain_frames();
   recorder.flush();
   SavedState state = simulation.save();
   recorder.save(state.numbers);
   state.numbers["run.last_frame_step"] = static_cast<double>(last_frame_step);
   state.numbers["run.wall_seconds"] = wall_seconds();
   state.numbers["run.stepping_seconds"] = stepping_seconds;
-  write_checkpoint(folder.checkpoint(),
-                   {state.time, state.step, case_text, std::move(state.numbers), std::move(state.arrays), {}});
+  control.comm.on_root([&] {
+    write_checkpoint(folder.checkpoint(),
+                     {state.time, state.step, case_text, std::move(state.numbers), std::move(state.arrays), {}});
+  });
+}
+
+void CaseRun::drain_frames() {
+  control.comm.on_root([&] { frames->drain(); });
 }
 
 void CaseRun::write_pictures() {
@@ -138,7 +149,9 @@ void CaseRun::write_pictures() {
   PictureOptions options;
   options.field = c.output.picture_field;
   options.title = c.general.name;
-  for (const std::string& file : files) write_picture(file, snapshot, options);
+  control.comm.on_root([&] {
+    for (const std::string& file : files) write_picture(file, snapshot, options);
+  });
 }
 
 /// Runs it; if it fails because of the disk or the state, that becomes the status, unless something failed before.
@@ -159,7 +172,7 @@ void CaseRun::write_rest() {
     attempt([&] { write_pictures(); });
   }
   if (status != "interrupted" && last_frame_step != simulation.steps()) attempt([&] { write_frame(); });
-  attempt([&] { frames->drain(); });
+  attempt([&] { drain_frames(); });
   if (status == "unstable")
     attempt([&] { recorder.flush(); });
   else

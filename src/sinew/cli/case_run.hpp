@@ -19,6 +19,7 @@ struct RunControl {
   std::string picture;  ///< a file outside the run folder; empty: none
   Tier tier = Tier::full;
   int threads = 1;
+  Comm comm;
 };
 
 struct RunResult {
@@ -29,7 +30,8 @@ struct RunResult {
 /// Exit code for the status of a summary.
 ExitCode exit_code(const std::string& status);
 
-/// Output never changes the states: steps are not shortened for it, only the last one is, to end at end_time.
+/// Output never changes the states: steps are not shortened for it, only the last one is, to end at end_time. All ranks run it together; the first one
+/// writes.
 class CaseRun {
  public:
   CaseRun(const Case& c, Simulation& simulation, const RunFolder& folder, Reporter& reporter, const RunControl& control);
@@ -48,6 +50,7 @@ class CaseRun {
   void step();
   void write_due(double time_before);
   void write_frame();  ///< hands the state to the writer of frames
+  void drain_frames();
   void write_state();  ///< checkpoint.h5, when all frames before it are written
   void write_pictures();
   void write_rest();
@@ -66,7 +69,8 @@ class CaseRun {
   Recorder recorder;
   std::string case_text;
   bool frames_need_record;
-  std::optional<FrameWriter> frames;
+  std::optional<FrameWriter> frames;  ///< of the first rank
+  Snapshot spare;                     ///< of the others
   long last_frame_step = -1;
   std::string status = "completed", message;
   double earlier_seconds = 0.0, stepping_seconds = 0.0;  ///< earlier: of the run that is resumed

@@ -32,8 +32,9 @@ Summary CaseRun::summarize(const FinishedRun& finished) {
   s.wall_seconds = wall_seconds();
   s.stepping_seconds = stepping_seconds;
   if (stepping_seconds > 0.0) s.particle_steps_per_second = static_cast<double>(s.particles) * s.steps / stepping_seconds;
+  s.ranks = control.comm.size();
   s.threads = control.threads;
-  s.peak_memory_bytes = peak_memory_bytes();
+  s.peak_memory_bytes = control.comm.sum(peak_memory_bytes());
   s.state_hash = simulation.state_hash();
   const Energies e = simulation.energies();
   s.energy = {{"kinetic", e.kinetic},

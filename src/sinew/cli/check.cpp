@@ -40,7 +40,7 @@ double check_one(const Case& c) {
 }  // namespace
 
 int check_verb(const CheckOptions& options) {
-  const int threads = use_threads(options);
+  const int threads = use_threads(options, Comm());
   const CaseInput input = read_case_input(options.case_path, options.overrides);
   const Case c = make_case(input.root, input.folder);
   fmt::print("{} thread{}\n", threads, threads == 1 ? "" : "s");

@@ -4,9 +4,11 @@
 #include <cstdio>
 #include <functional>
 #include <map>
+#include <sinew/cli/launch.hpp>
 #include <sinew/cli/options.hpp>
 #include <sinew/cli/version.hpp>
 #include <sinew/core/error.hpp>
+#include <sinew/parallel/comm.hpp>
 
 namespace sinew {
 
@@ -23,6 +25,8 @@ struct Arguments {
   NewOptions new_case;
 };
 
+constexpr int most_ranks = 1 << 20;
+
 using Actions = std::map<CLI::App*, std::function<int()>>;
 
 void add_overrides(CLI::App& verb, std::vector<std::string>& overrides) {
@@ -33,7 +37,9 @@ void add_overrides(CLI::App& verb, std::vector<std::string>& overrides) {
 
 void add_compute(CLI::App& verb, ComputeOptions& options) {
   verb.add_option("-t,--threads", options.threads, "Number of threads; default all cores")->type_name("N");
-  verb.add_option("-n,--ranks", options.ranks, "Number of processes; this version computes in one")->type_name("N");
+  verb.add_option("-n,--ranks", options.ranks, "Number of processes (ranks of MPI); default one")
+      ->type_name("N")
+      ->check(CLI::Range(1, most_ranks));
 }
 
 void add_tier(CLI::App& verb, Tier& tier, const std::string& what) {
@@ -138,11 +144,10 @@ void check_first(const CLI::App& app, int count, const char* const* arguments) {
     throw CaseError(unknown_name_message(is_option ? "option" : "command", first, known));
 }
 
-int parse_and_run(int count, const char* const* arguments) {
-  CLI::App app{"Solids in large deformation with smoothed particle hydrodynamics", "sinew"};
+/// What the words mean: fills the values and returns what is to be done. Throws CaseError.
+std::function<int()> parse(CLI::App& app, Arguments& values, int count, const char* const* arguments) {
   app.set_version_flag("--version", version_text());
   app.require_subcommand(1);
-  Arguments values;
   Actions actions;
   add_run(app, values.run, actions);
   add_resume(app, values.resume, actions);
@@ -153,22 +158,41 @@ int parse_and_run(int count, const char* const* arguments) {
   try {
     app.parse(count, arguments);
   } catch (const CLI::Success& success) {
-    return app.exit(success);
+    return [&app, success] { return app.exit(success); };
   } catch (const CLI::ParseError& error) {
     for (const CLI::App* verb : app.get_subcommands()) throw CaseError(message_of(*verb, error));
     throw CaseError(error.what());
   }
-  return actions.at(app.get_subcommands().front())();
+  return actions.at(app.get_subcommands().front());
 }
 
-int fail(ExitCode code, const std::string& message) {
-  std::fputs((message + '\n').c_str(), stderr);
+int parse_and_run(int count, const char* const* arguments) {
+  const Comm comm = Comm::world();
+  CLI::App app{"Solids in large deformation with smoothed particle hydrodynamics", "sinew"};
+  Arguments values;
+  std::function<int()> action;
+  comm.together([&] { action = parse(app, values, count, arguments); });
+  const bool shared = app.got_subcommand("run") || app.got_subcommand("resume");
+  const int ranks = app.got_subcommand("resume") ? values.resume.ranks : values.run.ranks;
+  if (shared && ranks > 1 && !Comm::launched()) return launch_ranks(ranks, without_ranks({arguments + 1, arguments + count}));
+  int code = done;
+  if (shared)
+    code = action();
+  else
+    comm.on_root([&] { code = action(); });
   return code;
 }
 
-}  // namespace
+/// Says what went wrong, once. What only one rank knows ends the others too.
+int fail(ExitCode code, const std::string& message) {
+  const Comm comm = Comm::world();
+  const bool alone_with_it = !comm.alone() && !Comm::error_is_common();
+  if (comm.root() || alone_with_it) std::fputs((message + '\n').c_str(), stderr);
+  if (alone_with_it) Comm::abort(code);
+  return code;
+}
 
-int command_line(int count, const char* const* arguments) {
+int run_guarded(int count, const char* const* arguments) {
   try {
     return parse_and_run(count, arguments);
   } catch (const CaseError& error) {
@@ -178,6 +202,14 @@ int command_line(int count, const char* const* arguments) {
   } catch (const std::exception& error) {
     return fail(internal_error, std::string("internal error: ") + error.what() + "\nPlease report it, with the case.");
   }
+}
+
+}  // namespace
+
+int command_line(int count, const char* const* arguments) {
+  const int code = run_guarded(count, arguments);
+  Comm::finalize();
+  return code;
 }
 
 }  // namespace sinew

@@ -20,6 +20,7 @@ extern "C" void on_signal(int) {
 void listen_for_interruption() {
   std::signal(SIGINT, on_signal);
   std::signal(SIGTERM, on_signal);
+  std::signal(SIGUSR1, on_signal);
 }
 
 bool interruption_requested() { return requested != 0; }

@@ -19,7 +19,7 @@ enum ExitCode {
 
 struct ComputeOptions {
   int threads = 0;  ///< 0: all cores
-  int ranks = 1;
+  int ranks = 0;    ///< 0: those that were started
 };
 
 struct RunOptions : ComputeOptions {

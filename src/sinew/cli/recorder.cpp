@@ -35,9 +35,10 @@ double relative_balance_error(const Energies& e) {
   return scale > 0.0 ? e.balance_error() / scale : 0.0;
 }
 
-Recorder::Recorder(const Case& case_, Simulation& simulation_, const RunFolder& folder)
+Recorder::Recorder(const Case& case_, Simulation& simulation_, const RunFolder& folder, const Comm& comm_)
     : c(case_),
       simulation(simulation_),
+      comm(comm_),
       path(folder.history()),
       columns(columns_of(case_, simulation_)),
       probe_min(case_.probes.size(), std::numeric_limits<double>::infinity()),
@@ -45,7 +46,7 @@ Recorder::Recorder(const Case& case_, Simulation& simulation_, const RunFolder& 
       stride(std::max(1L, static_cast<long>(simulation_.facts().particles) / particles_a_step)) {}
 
 void Recorder::begin() {
-  file.emplace(path, columns);
+  comm.on_root([&] { file.emplace(path, columns); });
   initial = simulation.momenta();
   sample(0.0);
 }
@@ -63,7 +64,9 @@ void Recorder::at_end() {
   if (rows.empty() || rows.back()[time_column] < simulation.time()) sample(last_time_step);
 }
 
-void Recorder::flush() { file->flush(); }
+void Recorder::flush() {
+  comm.on_root([&] { file->flush(); });
+}
 
 std::vector<double> Recorder::row(double time_step) {
   const Energies e = simulation.energies();
@@ -83,7 +86,7 @@ std::vector<double> Recorder::row(double time_step) {
 
 void Recorder::sample(double time_step) {
   rows.push_back(row(time_step));
-  file->add_row(rows.back());
+  comm.on_root([&] { file->add_row(rows.back()); });
   const std::size_t first = columns.size() - c.probes.size();
   for (std::size_t i = 0; i < c.probes.size(); ++i) {
     probe_min[i] = std::min(probe_min[i], rows.back()[first + i]);
@@ -94,9 +97,11 @@ void Recorder::sample(double time_step) {
 void Recorder::thin() {
   stride *= 2;
   std::erase_if(rows, [&](const std::vector<double>& r) { return static_cast<long>(r[step_column]) % stride != 0; });
-  file.emplace(path, columns);
-  for (const std::vector<double>& r : rows) file->add_row(r);
-  file->flush();
+  comm.on_root([&] {
+    file.emplace(path, columns);
+    for (const std::vector<double>& r : rows) file->add_row(r);
+    file->flush();
+  });
 }
 
 std::map<std::string, ProbeRecord> Recorder::probes() const {
@@ -128,7 +133,11 @@ void Recorder::save(std::map<std::string, double>& numbers) const {
 }
 
 void Recorder::resume(const std::map<std::string, double>& saved) {
-  file.emplace(HistoryFile::resume(path, columns, simulation.time()));
+  comm.on_root([&] {
+    file.emplace(HistoryFile::resume(path, columns, simulation.time()));
+    read_rows();
+  });
+  share_rows();
   stride = static_cast<long>(saved.at("history.stride"));
   for (int i = 0; i < 3; ++i) {
     initial.linear[i] = saved.at("history.linear." + std::to_string(i));
@@ -138,7 +147,16 @@ void Recorder::resume(const std::map<std::string, double>& saved) {
     probe_min[i] = saved.at("history.min." + c.probes[i].name);
     probe_max[i] = saved.at("history.max." + c.probes[i].name);
   }
-  read_rows();
+}
+
+/// From the first rank to all.
+void Recorder::share_rows() {
+  std::vector<double> values;
+  for (const std::vector<double>& r : rows) values.insert(values.end(), r.begin(), r.end());
+  comm.broadcast(values);
+  rows.clear();
+  for (auto next = values.begin(); next != values.end(); next += static_cast<std::ptrdiff_t>(columns.size()))
+    rows.emplace_back(next, next + static_cast<std::ptrdiff_t>(columns.size()));
 }
 
 void Recorder::read_rows() {

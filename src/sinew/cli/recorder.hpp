@@ -14,12 +14,12 @@ namespace sinew {
 
 /// Takes a sample when one is due: when a multiple of history_every is reached or passed; without history_every after every
 /// `stride` steps. The stride is 1, in a case of many particles one for every 20 000 of them, until there are `most_rows` rows; then it
-/// doubles and every second row is dropped, and so on.
+/// doubles and every second row is dropped, and so on. All ranks keep the rows, the first one writes them; what may write is collective.
 class Recorder {
  public:
   static constexpr std::size_t most_rows = 10000;
 
-  Recorder(const Case& c, Simulation& simulation, const RunFolder& folder);
+  Recorder(const Case& c, Simulation& simulation, const RunFolder& folder, const Comm& comm);
 
   void begin();                                             ///< a new file, with the state as it is as the first row
   void resume(const std::map<std::string, double>& saved);  ///< goes on with the file after the time of the simulation
@@ -38,12 +38,14 @@ class Recorder {
   void thin();
   std::vector<double> row(double time_step);
   void read_rows();
+  void share_rows();
 
   const Case& c;
   Simulation& simulation;
+  Comm comm;
   std::string path;
   std::vector<HistoryColumn> columns;
-  std::optional<HistoryFile> file;
+  std::optional<HistoryFile> file;  ///< of the first rank
   std::vector<std::vector<double>> rows;
   std::vector<double> probe_min, probe_max;
   long stride;

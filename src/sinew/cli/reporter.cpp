@@ -1,6 +1,7 @@
 #include <sinew/cli/reporter.hpp>
 
 #include <cstdio>
+#include <sinew/parallel/comm.hpp>
 #include <unistd.h>
 
 namespace sinew {
@@ -15,27 +16,28 @@ void print_line(std::FILE* stream, const std::string& text) {
 }  // namespace
 
 Reporter::Reporter(const std::string& log_path, bool quiet_, std::string label)
-    : log(log_path),
+    : log(std::in_place, log_path),
       quiet(quiet_),
-      on_terminal(!quiet_ && isatty(STDOUT_FILENO) == 1),
+      on_terminal(!quiet_ && isatty(STDOUT_FILENO) == 1 && !Comm::launched()),  // mpiexec puts a terminal of its own between
       label_(std::move(label)) {}
 
 Reporter::~Reporter() { clear_bar(); }
 
 void Reporter::say(const std::string& text) {
   clear_bar();
-  log.write(text);
+  if (log) log->write(text);
   if (!quiet) print_line(stdout, text);
 }
 
 void Reporter::note(const std::string& text) {
-  log.write(text);
+  if (log) log->write(text);
   if (!quiet && !on_terminal) print_line(stdout, text);
 }
 
 void Reporter::warn(const std::string& text) {
   clear_bar();
-  log.write(text);
+  if (!log) return;
+  log->write(text);
   print_line(stderr, text);
 }
 

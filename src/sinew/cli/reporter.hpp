@@ -1,6 +1,7 @@
 #pragma once
 /// What a run says: to the terminal and, with time stamps, to run.log.
 
+#include <optional>
 #include <sinew/io/run_log.hpp>
 #include <string>
 
@@ -10,6 +11,8 @@ class Reporter {
  public:
   /// `label` goes before each line of progress, such as "run 2 of 4".
   Reporter(const std::string& log_path, bool quiet, std::string label = "");
+  /// Says nothing: for all ranks but the first.
+  Reporter() = default;
   ~Reporter();
   Reporter(const Reporter&) = delete;
   Reporter& operator=(const Reporter&) = delete;
@@ -25,8 +28,8 @@ class Reporter {
   const std::string& label() const { return label_; }
 
  private:
-  RunLog log;
-  bool quiet, on_terminal, bar_visible = false;
+  std::optional<RunLog> log;
+  bool quiet = true, on_terminal = false, bar_visible = false;
   std::string label_;
 };
 

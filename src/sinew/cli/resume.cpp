@@ -3,6 +3,7 @@
 #include <sinew/cli/case_run.hpp>
 #include <sinew/cli/interruption.hpp>
 #include <sinew/cli/number_format.hpp>
+#include <sinew/cli/run.hpp>
 #include <sinew/cli/threads.hpp>
 
 namespace sinew {
@@ -27,26 +28,54 @@ void check_checkpoint(const Case& c, const Checkpoint& checkpoint) {
   if (!checkpoint.numbers.contains("history.stride")) throw CaseError("the checkpoint was not written by sinew run.");
 }
 
+/// Read by the first rank. The others get all but the arrays.
+Checkpoint shared_checkpoint(const Comm& comm, const RunFolder& folder) {
+  Checkpoint checkpoint;
+  comm.on_root([&] { checkpoint = read_checkpoint(folder.checkpoint()); });
+  std::vector<double> values{checkpoint.time, static_cast<double>(checkpoint.step)};
+  std::string names;
+  for (const auto& [name, value] : checkpoint.numbers) {
+    names += name + '\n';
+    values.push_back(value);
+  }
+  comm.broadcast(values);
+  comm.broadcast(names);
+  checkpoint.time = values[0];
+  checkpoint.step = static_cast<long>(values[1]);
+  std::size_t begin = 0;
+  for (std::size_t k = 2; k < values.size(); ++k) {
+    const std::size_t end = names.find('\n', begin);
+    checkpoint.numbers[names.substr(begin, end - begin)] = values[k];
+    begin = end + 1;
+  }
+  return checkpoint;
+}
+
 }  // namespace
 
 int resume_verb(const ResumeOptions& options) {
-  const int threads = use_threads(options);
-  const RunFolder folder = open_folder(options.folder);
-  const CaseInput input = read_case_input(folder.resolved_case(), options.overrides);
-  const Case c = make_case(input.root, input.folder);
-  const Checkpoint checkpoint = read_checkpoint(folder.checkpoint());
-  check_checkpoint(c, checkpoint);
+  const Comm comm = Comm::world();
+  const int threads = use_threads(options, comm);
+  const RunFolder folder = RunFolder::at(options.folder);
+  Case c;
+  comm.together([&] {
+    open_folder(options.folder);
+    const CaseInput input = read_case_input(folder.resolved_case(), options.overrides);
+    c = make_case(input.root, input.folder);
+  });
+  const Checkpoint checkpoint = shared_checkpoint(comm, folder);
+  comm.together([&] { check_checkpoint(c, checkpoint); });
   listen_for_interruption();
-  const std::unique_ptr<Simulation> simulation = Simulation::build(c);
-  Reporter reporter(folder.log(), options.quiet);
-  CaseRun run(c, *simulation, folder, reporter, {"", Tier::full, threads});
+  const std::unique_ptr<Simulation> simulation = Simulation::build(c, comm);
+  const auto reporter = make_reporter(comm, folder, options.quiet);
+  CaseRun run(c, *simulation, folder, *reporter, {"", Tier::full, threads, comm});
   run.resume(checkpoint);
   const std::string time = quantity_text(simulation->time(), c.general.units.name_of("s"));
   if (run.at_end()) {
-    reporter.say("the run has reached its end at t = " + time + "; --set solver.end_time=... lets it go further.");
+    reporter->say("the run has reached its end at t = " + time + "; --set solver.end_time=... lets it go further.");
     return done;
   }
-  reporter.say("resuming at t = " + time + ", step " + count_text(simulation->steps()));
+  reporter->say("resuming at t = " + time + ", step " + count_text(simulation->steps()));
   return exit_code(run.to_the_end().summary.status);
 }
 

@@ -32,24 +32,37 @@ void check_picture(const std::string& file, const std::string& run_folder) {
 }  // namespace
 
 RunResult run_case(const Case& c, const RunPlan& plan) {
-  check_folder(plan.folder, plan.force);
-  const std::unique_ptr<Simulation> simulation = Simulation::build(c);
-  const RunFolder folder = RunFolder::create(plan.folder, plan.force);
-  Reporter reporter(folder.log(), plan.quiet, plan.label);
-  reporter.say(facts_text(c, simulation->facts()));
-  CaseRun run(c, *simulation, folder, reporter, plan.control);
+  const Comm& comm = plan.control.comm;
+  comm.on_root([&] { check_folder(plan.folder, plan.force); });
+  const std::unique_ptr<Simulation> simulation = Simulation::build(c, comm);
+  comm.on_root([&] { RunFolder::create(plan.folder, plan.force); });
+  const RunFolder folder = RunFolder::at(plan.folder);
+  const auto reporter = make_reporter(comm, folder, plan.quiet, plan.label);
+  reporter->say(facts_text(c, simulation->facts()));
+  CaseRun run(c, *simulation, folder, *reporter, plan.control);
   run.begin();
   return run.to_the_end();
 }
 
+std::unique_ptr<Reporter> make_reporter(const Comm& comm, const RunFolder& folder, bool quiet, const std::string& label) {
+  auto reporter = std::make_unique<Reporter>();
+  comm.on_root([&] { reporter = std::make_unique<Reporter>(folder.log(), quiet, label); });
+  return reporter;
+}
+
 int run_verb(const RunOptions& options) {
-  const int threads = use_threads(options);
-  const CaseInput input = read_case_input(options.case_path, options.overrides);
-  const Case c = make_case(input.root, input.folder);
+  const Comm comm = Comm::world();
+  const int threads = use_threads(options, comm);
+  CaseInput input;
+  Case c;
+  comm.together([&] {
+    input = read_case_input(options.case_path, options.overrides);
+    c = make_case(input.root, input.folder);
+  });
   listen_for_interruption();
   RunPlan plan{options.folder.empty() ? "runs/" + c.general.name : options.folder, options.force, options.quiet, "", {}};
-  check_picture(options.picture, plan.folder);
-  plan.control = {options.picture, options.tier, threads};
+  comm.on_root([&] { check_picture(options.picture, plan.folder); });
+  plan.control = {options.picture, options.tier, threads, comm};
   if (!c.study.vary.empty()) return run_study(input, c, plan);
   return exit_code(run_case(c, plan).summary.status);
 }

@@ -2,6 +2,7 @@
 /// `sinew run`: one case, or all runs of a study.
 
 #include <sinew/cli/case_input.hpp>
+#include <memory>
 #include <sinew/cli/case_run.hpp>
 
 namespace sinew {
@@ -12,6 +13,9 @@ struct RunPlan {
   std::string label;  ///< before each line of progress
   RunControl control;
 };
+
+/// Of the first rank; those of the others say nothing. Collective.
+std::unique_ptr<Reporter> make_reporter(const Comm& comm, const RunFolder& folder, bool quiet, const std::string& label = "");
 
 /// Builds and runs it in a new folder. A case that is wrong (CaseError) leaves nothing behind.
 RunResult run_case(const Case& c, const RunPlan& plan);

@@ -60,6 +60,7 @@ Summary study_summary(const Case& c, const RunControl& control, const std::vecto
   total.version = program_version();
   total.commit = program_commit();
   total.case_name = c.general.name;
+  total.ranks = control.comm.size();
   total.threads = control.threads;
   double particle_steps = 0.0;
   for (const Summary& run : runs) {
@@ -119,31 +120,35 @@ std::vector<StudyPoint> study_points(const Case& c, Tier tier) {
 
 int run_study(const CaseInput& input, const Case& c, const RunPlan& plan) {
   const std::vector<StudyPoint> points = study_points(c, plan.control.tier);
-  for (const StudyPoint& point : points) make_case(study_member(input.root, point.values), input.folder);
-  const RunFolder folder = RunFolder::create(plan.folder, plan.force);
-  Reporter reporter(folder.log(), plan.quiet);
-  write_atomically(folder.resolved_case(), toml_text(c.resolved));
+  const Comm& comm = plan.control.comm;
+  comm.together([&] {
+    for (const StudyPoint& point : points) make_case(study_member(input.root, point.values), input.folder);
+  });
+  comm.on_root([&] { RunFolder::create(plan.folder, plan.force); });
+  const RunFolder folder = RunFolder::at(plan.folder);
+  const auto reporter = make_reporter(comm, folder, plan.quiet);
+  comm.on_root([&] { write_atomically(folder.resolved_case(), toml_text(c.resolved)); });
   StudyTable table(folder.file("study.csv"), c);
   std::vector<FinishedRun> finished;
   std::vector<Summary> summaries;
-  for (std::size_t i = 0; i < points.size() && !interruption_requested(); ++i) {
+  for (std::size_t i = 0; i < points.size() && !comm.any(interruption_requested()); ++i) {
     RunPlan point_plan = plan;
     point_plan.folder = folder.file(points[i].folder_name);
     point_plan.label = fmt::format("run {} of {}", i + 1, points.size());
-    reporter.say(point_plan.label + ": " + parameters_text(points[i].values));
+    reporter->say(point_plan.label + ": " + parameters_text(points[i].values));
     RunResult result = run_point(input, points[i], point_plan);
     result.finished.parameters = points[i].values;
-    table.add(i + 1, points[i], result.summary, c);
+    comm.on_root([&] { table.add(i + 1, points[i], result.summary, c); });
     finished.push_back(std::move(result.finished));
     summaries.push_back(std::move(result.summary));
   }
   Summary total = study_summary(c, plan.control, summaries);
-  if (interruption_requested())
+  if (comm.any(interruption_requested()))
     total.status = "interrupted";
   else
     total.expect = check_study(c.expects, finished, plan.control.tier);
-  write_summary(folder.summary(), total);
-  say_study_end(reporter, total, summaries.size(), folder.path());
+  comm.on_root([&] { write_summary(folder.summary(), total); });
+  say_study_end(*reporter, total, summaries.size(), folder.path());
   return exit_code(total.status);
 }
 

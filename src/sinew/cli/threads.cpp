@@ -1,7 +1,6 @@
 #include <sinew/cli/threads.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cstdlib>
 #include <omp.h>
 #include <sinew/core/error.hpp>
@@ -13,27 +12,24 @@ namespace {
 
 constexpr int most_threads = 4096;
 
-/// Number of processes that a launcher of MPI (Open MPI, MPICH, Slurm) has started.
-int launched_processes() {
-  for (const char* variable : std::array{"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "SLURM_STEP_NUM_TASKS"})
-    if (const char* text = std::getenv(variable)) return std::atoi(text);
-  return 1;
+/// Cores for the threads of this rank.
+int own_cores(const Comm& comm) {
+  const int usable = omp_get_num_procs();  // of the process: a launcher may have bound it to some
+  const bool all_of_the_machine = usable == static_cast<int>(sysconf(_SC_NPROCESSORS_ONLN));
+  return all_of_the_machine ? std::max(1, usable / comm.node_size()) : usable;
 }
 
 }  // namespace
 
-int use_threads(const ComputeOptions& options) {
-  const int processes = std::max(options.ranks, launched_processes());
-  if (processes > 1)
-    throw CaseError("asked for " + std::to_string(processes) +
-                    " processes, but this version computes in one process with threads: leave out -n and mpiexec, and choose the "
-                    "number of threads with -t (default: all cores).");
-  if (options.ranks < 1)
-    throw CaseError("-n: " + std::to_string(options.ranks) + " processes are not possible; it can only be 1.");
+int use_threads(const ComputeOptions& options, const Comm& comm) {
+  if (options.ranks > 0 && options.ranks != comm.size())
+    throw CaseError("-n asks for " + std::to_string(options.ranks) + " ranks, but " + std::to_string(comm.size()) +
+                    " were started. Leave out -n under mpiexec or srun.");
   if (options.threads < 0 || options.threads > most_threads)
     throw CaseError("-t: " + std::to_string(options.threads) + " threads are not possible; allowed are 1 to " +
                     std::to_string(most_threads) + ", and 0 for all cores.");
-  const int threads = options.threads == 0 ? omp_get_max_threads() : options.threads;
+  int threads = options.threads;
+  if (threads == 0) threads = std::getenv("OMP_NUM_THREADS") ? omp_get_max_threads() : own_cores(comm);
   omp_set_dynamic(0);
   omp_set_num_threads(threads);
   return threads;

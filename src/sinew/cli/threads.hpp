@@ -1,13 +1,14 @@
 #pragma once
-/// How many threads compute, and that it is one process.
+/// How many threads compute.
 
 #include <sinew/cli/options.hpp>
+#include <sinew/parallel/comm.hpp>
 
 namespace sinew {
 
-/// Sets the number of threads (0: what OMP_NUM_THREADS says, or all cores) and returns it. Throws CaseError for a number that is not
-/// possible, and if more than one process is asked for, by -n or by a launcher of MPI.
-int use_threads(const ComputeOptions& options);
+/// Sets the number of threads of this rank and returns it. 0: what OMP_NUM_THREADS says, or the cores that this rank may use; those that all ranks of a
+/// machine may use are shared. Throws CaseError for a number that is not possible, and if -n asks for other ranks than there are.
+int use_threads(const ComputeOptions& options, const Comm& comm);
 
 /// Lets idle threads sleep instead of spin, unless the user chose otherwise. The OpenMP runtime reads that once, when the program is loaded, so
 /// the program starts itself again with the choice in its environment. On a busy machine spinning threads take the cores from the working ones: a

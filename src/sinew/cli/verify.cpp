@@ -104,7 +104,7 @@ class VerifyRuns {
 
 int verify_verb(const VerifyOptions& options) {
   const Clock::time_point start = Clock::now();
-  const int all_threads = use_threads(options);
+  const int all_threads = use_threads(options, Comm());
   if (options.jobs < 1) throw CaseError("-j: at least 1 case has to run at a time, found " + std::to_string(options.jobs));
   const int threads = options.threads > 0 ? options.threads : std::max(1, all_threads / options.jobs);
   const std::vector<VerifyCase> cases = find_verify_cases(options.paths, options.tier);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <sinew/cli/build_info.hpp>
 #include <sinew/core/pack.hpp>
+#include <sinew/parallel/comm.hpp>
 
 namespace sinew {
 
@@ -30,11 +31,11 @@ std::string version_text() {
       "commit     {}\n"
       "compiler   {}, {}\n"
       "OpenMP     {}\n"
-      "MPI        not built in\n"
+      "MPI        {}\n"
       "PETSc      not built in\n"
       "HDF5       {}\n"
       "vector ISA {}, {} particles at a time",
-      build_info::version, build_info::commit, build_info::compiler, build_info::build_type, _OPENMP, build_info::hdf5,
+      build_info::version, build_info::commit, build_info::compiler, build_info::build_type, _OPENMP, Comm::library(), build_info::hdf5,
       vector_registers(), lanes);
 }
 

@@ -10,6 +10,8 @@ class RunFolder {
   /// Makes the folder (and those above it). One that is not empty is refused, unless `force` is set and it holds a run: then the
   /// files of that run are removed, and only those; anything else in it stays. Throws CaseError, saying what to do.
   static RunFolder create(const std::string& path, bool force);
+  /// One that another rank has made or opened.
+  static RunFolder at(const std::string& path) { return RunFolder(path); }
   /// The folder of an earlier run. Throws CaseError if there is none.
   static RunFolder open(const std::string& path);
 

@@ -146,6 +146,7 @@ struct SolverCase {
   double damping = 0.0;             ///< a += -damping v  [1/time]
   std::string pair_weights = "auto";
   std::string lattice = "auto";
+  std::optional<long> block_size;  ///< largest_block otherwise
 
   static void describe(auto&& field, auto& m) {
     constexpr Range courant{0.0, 1.0, true, false, "greater than 0 and at most 1"};
@@ -165,6 +166,11 @@ struct SolverCase {
     field("lattice", m.lattice, no_unit,
           "auto: regular arrangements of particles go without a pair list; off: never. Changes results by rounding only.",
           optional, OneOf{{"auto", "off"}});
+    constexpr Range block{8.0, 16384.0, false, false, "from 8 to 16384"};
+    field("block_size", m.block_size, no_unit,
+          "Particles at most in a block, the piece of a body that one thread computes at a time and one rank owns; 16384 if not "
+          "given. Smaller blocks let more ranks share a small case, at the price of more copies. Changes results by rounding only.",
+          block, optional);
   }
 };
 

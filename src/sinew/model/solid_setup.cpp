@@ -10,7 +10,7 @@ Arrangement<D> arrangement_of(const Case& c, const std::vector<GeneratedBody>& b
   for (std::size_t b = 0; b < bodies.size(); ++b)
     points.push_back({c.bodies[b].name, &bodies[b].points,
                       std::visit([](const auto& m) { return m.density; }, c.bodies[b].material), bodies[b].spacing});
-  return arrange<D>(points);
+  return arrange<D>(points, static_cast<int>(c.solver.block_size.value_or(largest_block)));
 }
 
 /// Of the particles of some blocks; 0 for the others, which then see nobody.

@@ -19,12 +19,6 @@ namespace {
 
 bool common_error = false;
 
-/// Whether a launcher (Open MPI, MPICH, Slurm) has started this process as one of several.
-bool was_launched() {
-  constexpr std::array variables{"OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_RANK", "PMI_SIZE"};
-  return std::any_of(variables.begin(), variables.end(), [](const char* name) { return std::getenv(name) != nullptr; });
-}
-
 /// Where the values of each rank begin, and their number at the end.
 std::vector<int> first_of(const std::vector<int>& counts) {
   std::vector<int> first(counts.size() + 1, 0);
@@ -86,9 +80,22 @@ std::pair<int, std::string> describe(const std::exception_ptr& error) {
 
 }  // namespace
 
+std::string Comm::library() {
+  char text[MPI_MAX_LIBRARY_VERSION_STRING];
+  int length = 0;
+  MPI_Get_library_version(text, &length);
+  const std::string all(text, length);
+  return all.substr(0, all.find(','));
+}
+
+bool Comm::launched() {
+  constexpr std::array variables{"OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_RANK", "PMI_SIZE"};  // Open MPI, PMIx, MPICH, Slurm
+  return std::any_of(variables.begin(), variables.end(), [](const char* name) { return std::getenv(name) != nullptr; });
+}
+
 Comm Comm::world() {
   static const Comm everyone = [] {
-    if (!was_launched()) return Comm();
+    if (!launched()) return Comm();
     int provided = 0;
     MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided);
     Group group{MPI_COMM_WORLD};

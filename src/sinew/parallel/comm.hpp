@@ -19,6 +19,10 @@ class Comm {
   Comm() = default;
   /// All that mpiexec (or srun) has started; this process alone if none did. The first call starts MPI.
   static Comm world();
+  /// Name and version of the MPI library.
+  static std::string library();
+  /// Whether mpiexec or srun started this process, be it as the only one.
+  static bool launched();
   /// Ends MPI if it was started. To be called at the end of the program, by all ranks.
   static void finalize();
   /// Ends all ranks at once with an exit code. For what only one rank knows.

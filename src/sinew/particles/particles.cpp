@@ -58,7 +58,7 @@ std::size_t Particles<D>::bytes() const {
 }
 
 template <int D>
-Arrangement<D> arrange(const std::vector<BodyPoints>& bodies) {
+Arrangement<D> arrange(const std::vector<BodyPoints>& bodies, int block_size) {
   Arrangement<D> all;
   for (const BodyPoints& body : bodies) {
     const int count = static_cast<int>(body.points->size());
@@ -78,7 +78,7 @@ Arrangement<D> arrange(const std::vector<BodyPoints>& bodies) {
     const BodyRange& range = all.bodies[b];
     const int first = static_cast<int>(all.slot_of.size());
     all.slot_of.resize(first + range.count);
-    const BlockOrder order = block_order(points.position, bodies[b].spacing, D, largest_block);
+    const BlockOrder order = block_order(points.position, bodies[b].spacing, D, block_size);
     for (int begin = 0; const int end : order.block_end) {
       const int number = static_cast<int>(all.blocks.size());
       all.blocks.push_back({static_cast<int>(b), range.begin + begin, range.begin + end, number});
@@ -101,7 +101,7 @@ template struct Arrangement<2>;
 template struct Arrangement<3>;
 template struct Particles<2>;
 template struct Particles<3>;
-template Arrangement<2> arrange<2>(const std::vector<BodyPoints>&);
-template Arrangement<3> arrange<3>(const std::vector<BodyPoints>&);
+template Arrangement<2> arrange<2>(const std::vector<BodyPoints>&, int);
+template Arrangement<3> arrange<3>(const std::vector<BodyPoints>&, int);
 
 }  // namespace sinew

@@ -24,8 +24,8 @@ struct BlockRange {
 
   bool owns(int slot) const { return slot >= begin && slot < end; }
 };
-/// Particles in a block at most: little enough for the caches, enough to have few neighbors outside. A constant of the program, so that
-/// sums have the same order everywhere. Tests lower it.
+/// Particles in a block at most, unless the case says otherwise: little enough for the caches, enough to have few neighbors outside. A constant of
+/// the program, so that sums have the same order everywhere. Tests lower it.
 inline int largest_block = 16384;
 
 /// Reference configuration in computing order.
@@ -72,9 +72,9 @@ struct BodyPoints {
   double spacing;
 };
 
-/// Puts all bodies into computing order.
+/// Puts all bodies into computing order, in blocks of at most so many particles.
 template <int D>
-Arrangement<D> arrange(const std::vector<BodyPoints>& bodies);
+Arrangement<D> arrange(const std::vector<BodyPoints>& bodies, int block_size = largest_block);
 template <int D>
 Particles<D> make_particles(const std::vector<BodyPoints>& bodies, double thickness) {
   return Particles<D>(arrange<D>(bodies), thickness);

@@ -120,11 +120,6 @@ class Errors(CommandTest):
         self.assertIn("key.path=value", self.fail_with(2, "run", self.case, "--set", "parameters.n"))
         self.assertIn("unknown parameter", self.fail_with(2, "run", self.case, "--set", "parameters.m=3"))
 
-    def test_more_than_one_process(self):
-        for launcher in ({"OMPI_COMM_WORLD_SIZE": "4"}, {"PMI_SIZE": "4"}, {"SLURM_STEP_NUM_TASKS": "4"}):
-            self.assertIn("-t", self.fail_with(2, "run", self.case, environment=launcher))
-        self.assertIn("one process", self.fail_with(2, "run", self.case, "-n", "2"))
-
     def test_impossible_number_of_threads(self):
         self.assertIn("threads", self.fail_with(2, "run", self.case, "-t", "-1"))
 

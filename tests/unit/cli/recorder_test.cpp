@@ -73,7 +73,7 @@ TEST(Schedule, MultiplesThatAreReachedOrPassed) {
 
 TEST_F(RecorderTest, EveryStepUntilThereAreTooManyRows) {
   const RunFolder folder = RunFolder::create(path, false);
-  Recorder recorder(c, simulation, folder);
+  Recorder recorder(c, simulation, folder, Comm());
   recorder.begin();
   advance(recorder, 9998);
   recorder.flush();
@@ -91,7 +91,7 @@ TEST_F(RecorderTest, EveryStepUntilThereAreTooManyRows) {
 TEST_F(RecorderTest, RowsAtMultiplesOfHistoryEvery) {
   c.output.history_every = 0.1;
   const RunFolder folder = RunFolder::create(path, false);
-  Recorder recorder(c, simulation, folder);
+  Recorder recorder(c, simulation, folder, Comm());
   recorder.begin();
   advance(recorder, 1050);
   recorder.at_end();
@@ -106,7 +106,7 @@ TEST_F(RecorderTest, ResumedHistoryIsThatOfAnUndisturbedRun) {
   std::string undisturbed;
   {
     const RunFolder folder = RunFolder::create(path, false);
-    Recorder recorder(c, simulation, folder);
+    Recorder recorder(c, simulation, folder, Comm());
     recorder.begin();
     advance(recorder, 12345);
     recorder.flush();
@@ -116,7 +116,7 @@ TEST_F(RecorderTest, ResumedHistoryIsThatOfAnUndisturbedRun) {
   simulation.restore({});
   std::map<std::string, double> saved;
   {
-    Recorder recorder(c, simulation, folder);
+    Recorder recorder(c, simulation, folder, Comm());
     recorder.begin();
     advance(recorder, 6001);
     recorder.save(saved);
@@ -124,7 +124,7 @@ TEST_F(RecorderTest, ResumedHistoryIsThatOfAnUndisturbedRun) {
     recorder.flush();
   }
   simulation.restore({0.0, 6001, {}, {}});
-  Recorder recorder(c, simulation, folder);
+  Recorder recorder(c, simulation, folder, Comm());
   recorder.resume(saved);
   advance(recorder, 6344);
   recorder.flush();
