@@ -1,6 +1,7 @@
 #pragma once
 /// A total-Lagrangian explicit run in D dimensions.
 
+#include <limits>
 #include <sinew/core/timer.hpp>
 #include <sinew/model/conditions.hpp>
 #include <sinew/model/probes.hpp>
@@ -11,6 +12,12 @@
 #include <sinew/time/step_size.hpp>
 
 namespace sinew {
+
+/// Where a state has lost its meaning.
+struct WorstParticle {
+  int slot = -1, number = std::numeric_limits<int>::max();  ///< number: in the user's order
+  double measure = infinity, jacobian = 0.0;
+};
 
 template <int D>
 class SolidSimulation final : public Simulation {
@@ -44,7 +51,7 @@ class SolidSimulation final : public Simulation {
   void count_dissipation(double dt);
   void check_state();
   [[noreturn]] void fail(const std::string& cause);
-  std::pair<int, double> worst_particle(std::vector<double>& jacobian);
+  WorstParticle worst_particle();
   RecordedState& room_for_record();
   const RecordedState& record();
   const Totals& totals();

@@ -9,6 +9,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <cstdlib>
 #include <span>
 
 namespace sinew {
@@ -98,6 +99,7 @@ void SolidSimulation<D>::describe(Snapshot& s) const {
   s.dimension = D;
   s.length_unit = case_.general.units.name_of("m");
   s.time_unit = case_.general.units.name_of("s");
+  s.body_names.clear();
   for (const BodyRange& body : particles_.bodies) s.body_names.push_back(body.name);
   std::vector<double> rows;
   for (int slot : order_.slots()) {
@@ -105,6 +107,8 @@ void SolidSimulation<D>::describe(Snapshot& s) const {
     rows.push_back(particles_.body_of(slot));
   }
   rows = order_.gather(std::move(rows), 2);
+  s.size.clear();
+  s.body.clear();
   for (std::size_t k = 0; k < rows.size(); k += 2) {
     s.size.push_back(rows[k]);
     s.body.push_back(static_cast<int>(rows[k + 1]));
@@ -115,7 +119,7 @@ void SolidSimulation<D>::describe(Snapshot& s) const {
 template <int D>
 void SolidSimulation<D>::fill_snapshot(const std::vector<std::string>& fields, Snapshot& s) {
   const std::vector<int>& slots = order_.slots();
-  if (s.body_names.empty()) describe(s);
+  if (comm_.any(s.body_names.empty())) describe(s);
   s.time = time_;
   s.step = steps_;
   s.fields.resize(fields.size());
@@ -235,18 +239,19 @@ void SolidSimulation<D>::check_state() {
   if (stable_time_step() < 1e-6 * first_time_step_) fail("the stable time step has fallen below a millionth of the first one");
 }
 
-/// The worst particle of this rank: its slot, and det F or -infinity where something is not finite; slot -1 if it has none.
+/// The first, in the user's order, of the particles of this rank with the smallest det F; those where something is not finite come before.
 template <int D>
-std::pair<int, double> SolidSimulation<D>::worst_particle(std::vector<double>& jacobian) {
+WorstParticle SolidSimulation<D>::worst_particle() {
   recorded_step_ = -1;
   const RecordedState& state = record();
-  jacobian.resize(order_.slots().size());
-  particle_quantity<D>("jacobian").values({particles_, solid_, &state}, order_.slots(), {}, jacobian.data());
-  std::pair<int, double> worst{-1, infinity};
-  for (std::size_t k = 0; k < jacobian.size(); ++k) {
-    const bool finite = std::isfinite(jacobian[k]) && std::isfinite(state.energy_density[order_.slots()[k]]);
-    const double measure = finite ? jacobian[k] : -infinity;
-    if (worst.first < 0 || measure < worst.second) worst = {static_cast<int>(k), measure};
+  const std::vector<int>& slots = order_.slots();
+  std::vector<double> jacobian(slots.size());
+  particle_quantity<D>("jacobian").values({particles_, solid_, &state}, slots, {}, jacobian.data());
+  WorstParticle worst;
+  for (std::size_t k = 0; k < slots.size(); ++k) {
+    const bool finite = std::isfinite(jacobian[k]) && std::isfinite(state.energy_density[slots[k]]);
+    const WorstParticle here{slots[k], particles_.user_index[slots[k]], finite ? jacobian[k] : -infinity, jacobian[k]};
+    if (here.measure < worst.measure || (here.measure == worst.measure && here.number < worst.number)) worst = here;
   }
   return worst;
 }
@@ -254,25 +259,25 @@ std::pair<int, double> SolidSimulation<D>::worst_particle(std::vector<double>& j
 /// The rank with the worst particle of all says what happened.
 template <int D>
 void SolidSimulation<D>::fail(const std::string& cause) {
-  std::vector<double> jacobian;
-  const auto [number, measure] = worst_particle(jacobian);
-  const double least = -comm_.maximum(-measure);
-  const int first = -static_cast<int>(comm_.maximum(measure == least && number >= 0 ? -comm_.rank() : -comm_.size()));
+  const WorstParticle worst = worst_particle();
+  const double least = -comm_.maximum(-worst.measure);
+  const double number = -comm_.maximum(worst.measure == least ? -worst.number : -infinity);
+  const bool here = worst.measure == least && worst.number == number;
   std::string text;
-  if (comm_.rank() == first) {
-    const int worst = order_.slots()[number];
-    const Point x = particles_.current(worst);
-    const BodyRange& body = particles_.bodies[particles_.body_of(worst)];
+  if (here) {
+    const Point x = particles_.current(worst.slot);
+    const BodyRange& body = particles_.bodies[particles_.body_of(worst.slot)];
     text = fmt::format(
         "unstable at time {:.6g} {}, step {}: particle {} of body \"{}\" at ({:.6g}, {:.6g}, {:.6g}): {} (det F = "
         "{:.3g}). Likely causes: a load "
         "or velocity that the particles cannot resolve, too large a time step (try [solver] cfl = {:.2g}), or {}.",
-        time_, case_.general.units.name_of("s"), steps_, particles_.user_index[worst], body.name, x[0], x[1], x[2], cause,
-        jacobian[number], 0.5 * case_.solver.cfl, hourglass_advice(solid_.options().hourglass));
+        time_, case_.general.units.name_of("s"), steps_, worst.number, body.name, x[0], x[1], x[2], cause, worst.jacobian,
+        0.5 * case_.solver.cfl, hourglass_advice(solid_.options().hourglass));
   }
-  comm_.broadcast(text, first);
-  comm_.together([&] { throw SimulationError(text); });
-  throw SimulationError(text);  // not reached
+  comm_.together([&] {
+    if (here) throw SimulationError(text);
+  });
+  std::abort();  // one of the ranks has it
 }
 
 template void SolidSimulation<2>::fill_snapshot(const std::vector<std::string>&, Snapshot&);
