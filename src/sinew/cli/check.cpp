@@ -26,13 +26,37 @@ double seconds_per_step(Simulation& simulation) {
   return fastest;
 }
 
+/// A table: what so many ranks would do and send, and how much faster a step would be by the model of the network.
+void print_plan(const Simulation& simulation, const std::vector<int>& ranks, double seconds_per_step) {
+  const Network network;
+  const ModelFacts& facts = simulation.facts();
+  const double seconds_a_pair = seconds_per_step / static_cast<double>(facts.pairs);
+  fmt::print("ranks  particles a rank  more pairs than the mean   copies  bytes a step  messages a rank  step [ms]  efficiency\n");
+  for (const int count : ranks) {
+    const RanksPlan plan = simulation.plan(count);
+    const double step = network.step(plan, seconds_a_pair);
+    fmt::print("{:5}  {:>16}  {:>22.1f} %  {:>5.0f} %  {:>12}  {:>15}  {:>9.3g}  {:>8.0f} %\n", count, count_text(plan.particles_most),
+               100.0 * plan.pairs_imbalance, 100.0 * plan.copies_share, bytes_text(plan.bytes), plan.messages_most, 1e3 * step,
+               100.0 * seconds_per_step / (step * count));
+  }
+  fmt::print(
+      "counted from the decomposition; time: {:.3g} ns a pair, as timed here with the threads above for each rank, {:.2g} us a message and "
+      "{:.3g} GB/s for each rank, nothing overlapped\n",
+      1e9 * seconds_a_pair, 1e6 * network.latency, 1e-9 * network.bandwidth);
+  if (const int most = *std::max_element(ranks.begin(), ranks.end()); most > facts.blocks)
+    fmt::print("the case has {} blocks: more ranks than that have nothing to do. A smaller [solver] block_size makes more of them.\n",
+               facts.blocks);
+}
+
 /// Prints what one run would be; returns the seconds that it would take.
-double check_one(const Case& c) {
+double check_one(const Case& c, const std::vector<int>& ranks) {
   const std::unique_ptr<Simulation> simulation = Simulation::build(c);
   fmt::print("{}\n", facts_text(c, simulation->facts()));
-  const double seconds = seconds_per_step(*simulation) * estimated_steps(c, simulation->facts());
+  const double step = seconds_per_step(*simulation);
+  const double seconds = step * estimated_steps(c, simulation->facts());
   fmt::print("estimated run time: {} (from timing {} steps, without output; it grows if the time step shrinks)\n",
              duration_text(seconds), timed_steps);
+  if (!ranks.empty()) print_plan(*simulation, ranks, step);
   std::fflush(stdout);
   return seconds;
 }
@@ -45,14 +69,14 @@ int check_verb(const CheckOptions& options) {
   const Case c = make_case(input.root, input.folder);
   fmt::print("{} thread{}\n", threads, threads == 1 ? "" : "s");
   if (c.study.vary.empty()) {
-    check_one(c);
+    check_one(c, options.plan);
     return done;
   }
   double seconds = 0.0;
   const std::vector<StudyPoint> points = study_points(c, Tier::full);
   for (std::size_t i = 0; i < points.size(); ++i) {
     fmt::print("\nrun {} of {}: {}\n", i + 1, points.size(), parameters_text(points[i].values));
-    seconds += check_one(make_case(study_member(input.root, points[i].values), input.folder));
+    seconds += check_one(make_case(study_member(input.root, points[i].values), input.folder), options.plan);
   }
   fmt::print("\nestimated run time of the study: {}\n", duration_text(seconds));
   return done;

@@ -35,8 +35,12 @@ void add_overrides(CLI::App& verb, std::vector<std::string>& overrides) {
       ->allow_extra_args(false);
 }
 
+void add_threads(CLI::App& verb, ComputeOptions& options) {
+  verb.add_option("-t,--threads", options.threads, "Number of threads (of each rank); default all cores")->type_name("N");
+}
+
 void add_compute(CLI::App& verb, ComputeOptions& options) {
-  verb.add_option("-t,--threads", options.threads, "Number of threads; default all cores")->type_name("N");
+  add_threads(verb, options);
   verb.add_option("-n,--ranks", options.ranks, "Number of processes (ranks of MPI); default one")
       ->type_name("N")
       ->check(CLI::Range(1, most_ranks));
@@ -77,7 +81,11 @@ void add_check(CLI::App& app, CheckOptions& options, Actions& actions) {
   CLI::App& verb = *app.add_subcommand("check", "Say what a run would do, without running it");
   verb.add_option("case", options.case_path, "The case file")->required()->type_name("CASE.toml");
   add_overrides(verb, options.overrides);
-  add_compute(verb, options);
+  add_threads(verb, options);
+  verb.add_option("-n,--ranks", options.plan, "Also plan runs on these numbers of ranks, for example 8,64,512")
+      ->type_name("N,...")
+      ->delimiter(',')
+      ->check(CLI::Range(1, most_ranks));
   actions[&verb] = [&] { return check_verb(options); };
 }
 

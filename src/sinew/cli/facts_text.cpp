@@ -36,6 +36,16 @@ std::string paths_text(const ModelFacts& facts) {
                      facts.lattice_patterns, facts.pair_weights);
 }
 
+/// How several ranks share the case.
+std::string ranks_text(const ModelFacts& facts) {
+  const RanksPlan& r = facts.ranks;
+  if (r.ranks == 1) return "";
+  return fmt::format(
+      "{} ranks: at most {} particles each, {:.1f} % more pairs than the mean, {:.1f} % copies; a step sends {} in at most {} messages "
+      "a rank\n",
+      r.ranks, count_text(r.particles_most), 100.0 * r.pairs_imbalance, 100.0 * r.copies_share, bytes_text(r.bytes), r.messages_most);
+}
+
 bool is_free(const Case& c) {
   const auto zero = [](const Expression& e) { return e.is_constant() && e(0.0) == 0.0; };
   return c.boundary.empty() && c.solver.damping == 0.0 && std::all_of(c.body_force.begin(), c.body_force.end(), zero);
@@ -62,6 +72,7 @@ std::string facts_text(const Case& c, const ModelFacts& facts) {
   text += fmt::format("{} particles with {} neighbors each on average (from {} to {})\n", count_text(facts.particles),
                       fmt::format("{:.3g}", facts.neighbors_mean), facts.neighbors_min, facts.neighbors_max);
   text += paths_text(facts);
+  text += ranks_text(facts);
   text += fmt::format("time step {} (limited by: {}), about {} steps\n", quantity_text(facts.time_step, units.name_of("s")),
                       facts.time_step_limit, count_text(std::lround(std::min(estimated_steps(c, facts), 1e15))));
   text += fmt::format("memory {} ({:.0f} bytes a particle), built in {}", bytes_text(static_cast<double>(facts.memory_bytes)),

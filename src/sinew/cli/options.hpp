@@ -37,6 +37,7 @@ struct ResumeOptions : ComputeOptions {
 };
 
 struct CheckOptions : ComputeOptions {
+  std::vector<int> plan;  ///< numbers of ranks to plan for
   std::string case_path;
   std::vector<std::string> overrides;
 };

@@ -4,21 +4,12 @@
 #include <map>
 #include <memory>
 #include <sinew/model/case.hpp>
-#include <sinew/parallel/comm.hpp>
+#include <sinew/parallel/plan.hpp>
 #include <sinew/particles/snapshot.hpp>
 #include <string>
 #include <vector>
 
 namespace sinew {
-
-/// What ranks send each other.
-struct Traffic {
-  int ranks = 1;
-  double copies_share = 0.0;     ///< copies of particles of other ranks, for each particle
-  double pairs_imbalance = 0.0;  ///< pairs of the rank that has most of them over the mean, less 1
-  double bytes_per_step = 0.0;   ///< sent by all ranks
-  int messages_per_step = 0;     ///< of the rank that sends most
-};
 
 /// What a model is made of, for `check`, the log and the summary. Quantities in the case's own units.
 struct ModelFacts {
@@ -31,7 +22,7 @@ struct ModelFacts {
   std::size_t memory_bytes = 0;
   double bytes_per_particle = 0.0;
   int blocks = 0;
-  Traffic traffic;             ///< between ranks
+  RanksPlan ranks;  ///< how the ranks share the case, and what they send each other in a step
   double lattice_share = 0.0;  ///< part of the slices of eight particles that go without a pair list
   int lattice_patterns = 0;
   std::string pair_weights;  ///< of the others: "stored", "single" or "computed"
@@ -105,6 +96,8 @@ class Simulation {
   virtual std::string state_hash() const = 0;  ///< of positions and velocities of all particles, by their numbers
   virtual SavedState save() = 0;
   virtual void restore(const SavedState& state) = 0;
+  /// What so many ranks would have to do and to send, counted for a process alone.
+  virtual RanksPlan plan(int ranks) const = 0;
   virtual std::map<std::string, double> pass_seconds() const = 0;  ///< wall time of the passes of all steps so far
 };
 

@@ -49,21 +49,25 @@ void SolidSimulation<D>::collect_bodies(const std::vector<GeneratedBody>& bodies
   }
 }
 
-/// What ranks have to do, and send each other.
+/// How the ranks share the case, and what they send each other.
 template <int D>
-void SolidSimulation<D>::collect_traffic() {
+void SolidSimulation<D>::collect_ranks() {
   const Halo& halo = solid_.halo();
-  const auto pairs = static_cast<double>(solid_.pairs().pairs);
-  Traffic& traffic = facts_.traffic;
-  traffic.ranks = comm_.size();
-  traffic.copies_share = static_cast<double>(comm_.sum(long{particles_.copies})) / static_cast<double>(facts_.particles);
-  traffic.pairs_imbalance = comm_.maximum(pairs) * comm_.size() / static_cast<double>(facts_.pairs) - 1.0;
-  traffic.bytes_per_step = static_cast<double>(comm_.sum(static_cast<long>(halo.displacements.bytes() + halo.forces.bytes())));
-  traffic.messages_per_step = static_cast<int>(comm_.maximum(halo.displacements.messages() + halo.forces.messages()));
+  const auto sent = static_cast<double>(halo.displacements.bytes() + halo.forces.bytes());
+  RanksPlan& ranks = facts_.ranks;
+  ranks.ranks = comm_.size();
+  ranks.particles_most = static_cast<long>(comm_.maximum(particles_.count));
+  ranks.pairs_most = static_cast<long>(comm_.maximum(static_cast<double>(solid_.pairs().pairs)));
+  ranks.pairs_imbalance = static_cast<double>(ranks.pairs_most) * comm_.size() / static_cast<double>(facts_.pairs) - 1.0;
+  ranks.copies_share = static_cast<double>(comm_.sum(long{particles_.copies})) / static_cast<double>(facts_.particles);
+  ranks.bytes = static_cast<double>(comm_.sum(static_cast<long>(sent)));
+  ranks.bytes_most = comm_.maximum(sent);
+  ranks.messages_most = static_cast<int>(comm_.maximum(halo.displacements.messages() + halo.forces.messages()));
   if (const long idle = comm_.sum(particles_.count == 0 ? 1L : 0L); idle > 0)
     facts_.warnings.push_back(
-        fmt::format("{} of {} ranks have nothing to do: the case has {} blocks of particles, each of which one rank computes.",
-                    idle, comm_.size(), facts_.blocks));
+        fmt::format("{} of {} ranks have nothing to do: the case has {} block{} of particles, and one rank computes a block. Use fewer "
+                    "ranks or a smaller [solver] block_size.",
+                    idle, comm_.size(), facts_.blocks, facts_.blocks == 1 ? "" : "s"));
 }
 
 template <int D>
@@ -98,7 +102,7 @@ void SolidSimulation<D>::collect_facts(const std::vector<GeneratedBody>& bodies,
   facts_.pair_weights = name_of(solid_.options().weights);
   facts_.setup_seconds = setup_seconds;
   collect_bodies(bodies);
-  collect_traffic();
+  collect_ranks();
   for (const auto& [name, region] : regions_) facts_.regions[name] = region.particles;
   if (bodies.size() > 1) facts_.warnings.push_back("the bodies do not act on each other: there is no contact between them.");
   if (!solid_.options().hourglass) facts_.warnings.push_back("zero-energy modes are not controlled: stabilization is off.");

@@ -194,6 +194,15 @@ std::vector<double> SolidSimulation<D>::probe_values() {
   return probes_.values({comm_, particles_, solid_, motion_, state, energies(), momenta(), time_, stable_time_step()});
 }
 
+/// Waiting for other ranks is part of "forces and kick".
+template <int D>
+std::map<std::string, double> SolidSimulation<D>::pass_seconds() const {
+  std::map<std::string, double> seconds(timer_.seconds().begin(), timer_.seconds().end());
+  if (!comm_.alone())
+    seconds["waiting for other ranks"] = solid_.halo().displacements.seconds_waited() + solid_.halo().forces.seconds_waited();
+  return seconds;
+}
+
 template class SolidSimulation<2>;
 template class SolidSimulation<3>;
 

@@ -40,7 +40,8 @@ class SolidSimulation final : public Simulation {
   std::string state_hash() const override;
   SavedState save() override;
   void restore(const SavedState& state) override;
-  std::map<std::string, double> pass_seconds() const override { return {timer_.seconds().begin(), timer_.seconds().end()}; }
+  RanksPlan plan(int ranks) const override { return plan_for(solid_.pairs(), ranks); }
+  std::map<std::string, double> pass_seconds() const override;
 
  private:
   SolidSimulation(const Case& c, const Comm& comm, const std::vector<GeneratedBody>& bodies, const Stopwatch& watch);
@@ -59,7 +60,7 @@ class SolidSimulation final : public Simulation {
   void describe(Snapshot& snapshot) const;
   void share_limits();
   void collect_bodies(const std::vector<GeneratedBody>& bodies);
-  void collect_traffic();
+  void collect_ranks();
   void collect_facts(const std::vector<GeneratedBody>& bodies, double setup_seconds);
 
   Case case_;

@@ -25,6 +25,7 @@ class FakeSimulation final : public Simulation {
   std::vector<std::string> probe_units() const override { return {"m"}; }
   void fill_snapshot(const std::vector<std::string>&, Snapshot&) override {}
   std::string state_hash() const override { return ""; }
+  RanksPlan plan(int) const override { return {}; }
   SavedState save() override { return {time(), steps_, {}, {}}; }
   void restore(const SavedState& state) override { steps_ = state.step; }
   std::map<std::string, double> pass_seconds() const override { return {}; }
