@@ -23,7 +23,7 @@ MAY_INCLUDE = {
     "formulations": SOLVER,
     "time": SOLVER | {"formulations"},
     "model": SOLVER | {"formulations", "time"},
-    "io": {"core", "particles"},
+    "io": {"core", "particles", "parallel"},
     "cli": SOLVER | {"formulations", "time", "model", "io"},
 }
 
@@ -32,12 +32,12 @@ THIRD_PARTY = {
     "toml++/*": ["io/read_toml.cpp"],
     "mpi.h": ["parallel/*"],
     "scotch.h": ["parallel/decomposition.cpp"],
-    "hdf5.h": ["io/checkpoint.cpp", "io/hdf5_handle.hpp"],
+    "hdf5.h": ["io/hdf5_handle.hpp"],
     "cairo*": ["io/picture*.cpp"],
     "muParser*": ["model/expression.cpp"],
     "CLI/*": ["cli/*"],
     "nlohmann/*": ["io/summary.cpp", "cli/verify_table.cpp"],
-    "zlib.h": ["io/checkpoint.cpp"],
+    "zlib.h": ["io/checksum.cpp"],
     "fmt/*": [f"{folder}/*" for folder in MAY_INCLUDE if folder != "core" and folder not in PHYSICS],
 }
 

@@ -39,20 +39,20 @@ CaseRun::CaseRun(const Case& case_, Simulation& simulation_, const RunFolder& fo
                                      [](const std::string& field) { return needs_record(field); })) {}
 
 void CaseRun::begin() {
-  control.comm.on_root([&] {
-    write_atomically(folder.resolved_case(), case_text);
-    frames.emplace(folder, PvdSeries(folder.series()), real_of(c.output));
-  });
+  control.comm.on_root([&] { write_atomically(folder.resolved_case(), case_text); });
+  frames.emplace(folder, PvdSeries(folder.series()), real_of(c.output), control.comm);
   write_frame();
   recorder.begin();
 }
 
 void CaseRun::resume(const Checkpoint& checkpoint) {
-  simulation.restore({checkpoint.time, checkpoint.step, checkpoint.numbers, checkpoint.arrays});
-  control.comm.on_root([&] {
-    write_atomically(folder.resolved_case(), case_text);
-    frames.emplace(folder, PvdSeries::resume(folder.series(), checkpoint.time), real_of(c.output));
-  });
+  SavedState state{checkpoint.time, checkpoint.step, checkpoint.numbers, checkpoint.arrays, checkpoint.range, {}};
+  for (const auto& [name, field] : checkpoint.fields) state.fields[name] = {field.width, field.rows};
+  simulation.restore(state);
+  std::optional<PvdSeries> series;
+  control.comm.on_root([&] { write_atomically(folder.resolved_case(), case_text); });
+  control.comm.together([&] { series = PvdSeries::resume(folder.series(), checkpoint.time, control.comm.root()); });
+  frames.emplace(folder, std::move(*series), real_of(c.output), control.comm);
   recorder.resume(checkpoint.numbers);
   last_frame_step = static_cast<long>(checkpoint.numbers.at("run.last_frame_step"));
   earlier_seconds = checkpoint.numbers.at("run.wall_seconds");
@@ -115,29 +115,24 @@ void CaseRun::write_due(double time_before) {
 }
 
 void CaseRun::write_frame() {
-  Snapshot snapshot = frames ? frames->spent() : std::move(spare);
+  Snapshot snapshot = frames->spent();
   simulation.fill_snapshot(c.output.fields, snapshot);
-  control.comm.on_root([&] { frames->write(std::move(snapshot)); });
-  if (!frames) spare = std::move(snapshot);
+  frames->write(std::move(snapshot));
   last_frame_step = simulation.steps();
 }
 
 void CaseRun::write_state() {
-  drain_frames();
+  frames->drain();
   recorder.flush();
   SavedState state = simulation.save();
   recorder.save(state.numbers);
   state.numbers["run.last_frame_step"] = static_cast<double>(last_frame_step);
   state.numbers["run.wall_seconds"] = wall_seconds();
   state.numbers["run.stepping_seconds"] = stepping_seconds;
-  control.comm.on_root([&] {
-    write_checkpoint(folder.checkpoint(),
-                     {state.time, state.step, case_text, std::move(state.numbers), std::move(state.arrays), {}});
-  });
-}
-
-void CaseRun::drain_frames() {
-  control.comm.on_root([&] { frames->drain(); });
+  Checkpoint checkpoint{state.time, state.step,  case_text, std::move(state.numbers), std::move(state.arrays),
+                        {},         state.range, {}};
+  for (auto& [name, field] : state.fields) checkpoint.fields[name] = {field.width, std::move(field.rows)};
+  write_checkpoint(folder.checkpoint(), checkpoint, control.comm);
 }
 
 void CaseRun::write_pictures() {
@@ -172,7 +167,7 @@ void CaseRun::write_rest() {
     attempt([&] { write_pictures(); });
   }
   if (status != "interrupted" && last_frame_step != simulation.steps()) attempt([&] { write_frame(); });
-  attempt([&] { drain_frames(); });
+  attempt([&] { frames->drain(); });
   if (status == "unstable")
     attempt([&] { recorder.flush(); });
   else

@@ -50,7 +50,6 @@ class CaseRun {
   void step();
   void write_due(double time_before);
   void write_frame();  ///< hands the state to the writer of frames
-  void drain_frames();
   void write_state();  ///< checkpoint.h5, when all frames before it are written
   void write_pictures();
   void write_rest();
@@ -69,8 +68,7 @@ class CaseRun {
   Recorder recorder;
   std::string case_text;
   bool frames_need_record;
-  std::optional<FrameWriter> frames;  ///< of the first rank
-  Snapshot spare;                     ///< of the others
+  std::optional<FrameWriter> frames;
   long last_frame_step = -1;
   std::string status = "completed", message;
   double earlier_seconds = 0.0, stepping_seconds = 0.0;  ///< earlier: of the run that is resumed

@@ -31,21 +31,24 @@ void print_plan(const Simulation& simulation, const std::vector<int>& ranks, dou
   const Network network;
   const ModelFacts& facts = simulation.facts();
   const double seconds_a_pair = seconds_per_step / static_cast<double>(facts.pairs);
-  fmt::print("ranks  particles a rank  more pairs than the mean   copies  bytes a step  messages a rank  step [ms]  efficiency\n");
+  fmt::print(
+      "ranks  particles a rank  more pairs than the mean   copies  bytes a step  messages a rank  step [ms]  efficiency\n");
   for (const int count : ranks) {
     const RanksPlan plan = simulation.plan(count);
     const double step = network.step(plan, seconds_a_pair);
-    fmt::print("{:5}  {:>16}  {:>22.1f} %  {:>5.0f} %  {:>12}  {:>15}  {:>9.3g}  {:>8.0f} %\n", count, count_text(plan.particles_most),
-               100.0 * plan.pairs_imbalance, 100.0 * plan.copies_share, bytes_text(plan.bytes), plan.messages_most, 1e3 * step,
-               100.0 * seconds_per_step / (step * count));
+    fmt::print("{:5}  {:>16}  {:>22.1f} %  {:>5.0f} %  {:>12}  {:>15}  {:>9.3g}  {:>8.0f} %\n", count,
+               count_text(plan.particles_most), 100.0 * plan.pairs_imbalance, 100.0 * plan.copies_share, bytes_text(plan.bytes),
+               plan.messages_most, 1e3 * step, 100.0 * seconds_per_step / (step * count));
   }
   fmt::print(
-      "counted from the decomposition; time: {:.3g} ns a pair, as timed here with the threads above for each rank, {:.2g} us a message and "
+      "counted from the decomposition; time: {:.3g} ns a pair, as timed here with the threads above for each rank, {:.2g} us a "
+      "message and "
       "{:.3g} GB/s for each rank, nothing overlapped\n",
       1e9 * seconds_a_pair, 1e6 * network.latency, 1e-9 * network.bandwidth);
   if (const int most = *std::max_element(ranks.begin(), ranks.end()); most > facts.blocks)
-    fmt::print("the case has {} blocks: more ranks than that have nothing to do. A smaller [solver] block_size makes more of them.\n",
-               facts.blocks);
+    fmt::print(
+        "the case has {} blocks: more ranks than that have nothing to do. A smaller [solver] block_size makes more of them.\n",
+        facts.blocks);
 }
 
 /// Prints what one run would be; returns the seconds that it would take.

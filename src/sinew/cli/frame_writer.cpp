@@ -1,13 +1,17 @@
 #include <sinew/cli/frame_writer.hpp>
 
+#include <sinew/io/file.hpp>
 #include <utility>
 
 namespace sinew {
 
-FrameWriter::FrameWriter(const RunFolder& folder_, PvdSeries series_, VtkReal real_)
+FrameWriter::FrameWriter(const RunFolder& folder_, PvdSeries series_, VtkReal real_, const Comm& comm_)
     : folder(folder_),
       real(real_),
       series(std::move(series_)),
+      comm(comm_),
+      next(static_cast<long>(series.size())),
+      listed(next),
       thread([this] { work(); }) {}
 
 FrameWriter::~FrameWriter() {
@@ -27,18 +31,55 @@ Snapshot FrameWriter::spent() {
   return snapshot;
 }
 
+template <class Action>
+void FrameWriter::together(Action&& action) {
+  try {
+    comm.together(action);
+  } catch (...) {
+    broken = !comm.alone();
+    throw;
+  }
+}
+
 void FrameWriter::write(Snapshot snapshot) {
-  std::unique_lock lock(mutex);
-  changed.wait(lock, [this] { return !waiting || error; });
-  throw_error();
-  waiting = std::move(snapshot);
-  changed.notify_all();
+  if (broken) return;
+  together([&] {
+    std::unique_lock lock(mutex);
+    changed.wait(lock, [this] { return !waiting || error; });
+    throw_error();
+    waiting = std::move(snapshot);
+    changed.notify_all();
+  });
+  list_complete();
 }
 
 void FrameWriter::drain() {
-  std::unique_lock lock(mutex);
-  changed.wait(lock, [this] { return (!waiting && !busy) || error; });
-  throw_error();
+  if (broken) return;
+  together([&] {
+    std::unique_lock lock(mutex);
+    changed.wait(lock, [this] { return (!waiting && !busy) || error; });
+    throw_error();
+  });
+  list_complete();
+}
+
+/// Lets those frames appear that all ranks have written.
+void FrameWriter::list_complete() {
+  if (comm.alone()) return;
+  const std::size_t here = [this] {
+    const std::lock_guard lock(mutex);
+    return times.size();
+  }();
+  const auto everywhere = static_cast<long>(-comm.maximum(-static_cast<double>(here)));
+  comm.on_root([&] {
+    for (long k = 0; k < everywhere; ++k) {
+      PartFile::appear(folder.frame(listed + k));
+      series.add(times[k], RunFolder::frame_name(listed + k));
+    }
+  });
+  listed += everywhere;
+  const std::lock_guard lock(mutex);
+  times.erase(times.begin(), times.begin() + everywhere);
 }
 
 /// With the lock held.
@@ -67,15 +108,16 @@ void FrameWriter::work() {
     lock.lock();
     busy = false;
     error = failure;
+    if (!failure && !comm.alone()) times.push_back(snapshot.time);
     if (written.size() < 2) written.push_back(std::move(snapshot));
     changed.notify_all();
   }
 }
 
 void FrameWriter::write_now(const Snapshot& snapshot) {
-  const long index = static_cast<long>(series.size());
-  write_vtu(folder.frame(index), snapshot, real);
-  series.add(snapshot.time, RunFolder::frame_name(index));
+  write_vtu(folder.frame(next), snapshot, real);
+  if (comm.alone()) series.add(snapshot.time, RunFolder::frame_name(next));
+  ++next;
 }
 
 }  // namespace sinew

@@ -71,8 +71,9 @@ int launch_ranks(int ranks, const std::vector<std::string>& arguments) {
   }
   const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   if (code == 127)
-    throw CaseError("-n " + std::to_string(ranks) +
-                    ": mpiexec could not start the program. Install Open MPI (openmpi-bin), or leave out -n and use threads (-t).");
+    throw CaseError(
+        "-n " + std::to_string(ranks) +
+        ": mpiexec could not start the program. Install Open MPI (openmpi-bin), or leave out -n and use threads (-t).");
   return code;
 }
 

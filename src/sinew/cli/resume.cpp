@@ -28,29 +28,6 @@ void check_checkpoint(const Case& c, const Checkpoint& checkpoint) {
   if (!checkpoint.numbers.contains("history.stride")) throw CaseError("the checkpoint was not written by sinew run.");
 }
 
-/// Read by the first rank. The others get all but the arrays.
-Checkpoint shared_checkpoint(const Comm& comm, const RunFolder& folder) {
-  Checkpoint checkpoint;
-  comm.on_root([&] { checkpoint = read_checkpoint(folder.checkpoint()); });
-  std::vector<double> values{checkpoint.time, static_cast<double>(checkpoint.step)};
-  std::string names;
-  for (const auto& [name, value] : checkpoint.numbers) {
-    names += name + '\n';
-    values.push_back(value);
-  }
-  comm.broadcast(values);
-  comm.broadcast(names);
-  checkpoint.time = values[0];
-  checkpoint.step = static_cast<long>(values[1]);
-  std::size_t begin = 0;
-  for (std::size_t k = 2; k < values.size(); ++k) {
-    const std::size_t end = names.find('\n', begin);
-    checkpoint.numbers[names.substr(begin, end - begin)] = values[k];
-    begin = end + 1;
-  }
-  return checkpoint;
-}
-
 }  // namespace
 
 int resume_verb(const ResumeOptions& options) {
@@ -63,7 +40,7 @@ int resume_verb(const ResumeOptions& options) {
     const CaseInput input = read_case_input(folder.resolved_case(), options.overrides);
     c = make_case(input.root, input.folder);
   });
-  const Checkpoint checkpoint = shared_checkpoint(comm, folder);
+  const Checkpoint checkpoint = read_checkpoint(folder.checkpoint(), comm);
   comm.together([&] { check_checkpoint(c, checkpoint); });
   listen_for_interruption();
   const std::unique_ptr<Simulation> simulation = Simulation::build(c, comm);

@@ -1,8 +1,8 @@
 #pragma once
 /// `sinew run`: one case, or all runs of a study.
 
-#include <sinew/cli/case_input.hpp>
 #include <memory>
+#include <sinew/cli/case_input.hpp>
 #include <sinew/cli/case_run.hpp>
 
 namespace sinew {

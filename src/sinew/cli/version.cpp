@@ -35,8 +35,8 @@ std::string version_text() {
       "PETSc      not built in\n"
       "HDF5       {}\n"
       "vector ISA {}, {} particles at a time",
-      build_info::version, build_info::commit, build_info::compiler, build_info::build_type, _OPENMP, Comm::library(), build_info::hdf5,
-      vector_registers(), lanes);
+      build_info::version, build_info::commit, build_info::compiler, build_info::build_type, _OPENMP, Comm::library(),
+      build_info::hdf5, vector_registers(), lanes);
 }
 
 }  // namespace sinew

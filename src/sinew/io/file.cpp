@@ -1,5 +1,7 @@
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
+#include <fcntl.h>
 #include <fstream>
 #include <iterator>
 #include <sinew/core/error.hpp>
@@ -12,38 +14,58 @@ std::string write_error_text(const std::string& path, int error_number) {
   return "cannot write " + path + ": " + std::strerror(error_number);
 }
 
-namespace {
-std::string part_name(const std::string& path) { return path + ".part"; }
-}  // namespace
-
-PartFile::PartFile(const std::string& path_) : path(path_), file(std::fopen(part_name(path_).c_str(), "wb")) {
-  if (!file) throw SimulationError(write_error_text(path, errno));
+PartFile::PartFile(const std::string& path, Writers writers)
+    : path_(path),
+      file_(::open(part_name(path).c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | (writers == Writers::one ? O_TRUNC : 0), 0666)) {
+  if (file_ < 0) fail();
 }
 
 PartFile::~PartFile() {
-  if (!file) return;
-  std::fclose(file);
-  std::remove(part_name(path).c_str());
+  if (file_ < 0) return;
+  ::close(file_);
+  std::remove(part_name(path_).c_str());
 }
 
+void PartFile::fail() const { throw SimulationError(write_error_text(path_, errno)); }
+
 void PartFile::write(std::string_view text) {
-  if (std::fwrite(text.data(), 1, text.size(), file) != text.size()) throw SimulationError(write_error_text(path, errno));
+  while (!text.empty()) {
+    const ssize_t written = ::pwrite(file_, text.data(), text.size(), static_cast<off_t>(place_));
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) fail();
+    place_ += static_cast<std::size_t>(written);
+    text.remove_prefix(static_cast<std::size_t>(written));
+  }
+}
+
+void PartFile::reserve(std::size_t bytes) {
+  if (bytes > 0 && ::fallocate(file_, 0, 0, static_cast<off_t>(bytes)) != 0 && errno != EOPNOTSUPP && errno != ENOSYS) fail();
+}
+
+void PartFile::cut(std::size_t bytes) {
+  if (::ftruncate(file_, static_cast<off_t>(bytes)) != 0) fail();
 }
 
 void PartFile::synchronize() {
-  if (std::fflush(file) != 0 || ::fsync(::fileno(file)) != 0) throw SimulationError(write_error_text(path, errno));
+  if (::fsync(file_) != 0) fail();
+}
+
+void PartFile::leave() {
+  const int closed = ::close(file_);
+  file_ = -1;
+  if (closed == 0) return;
+  const int reason = errno;
+  std::remove(part_name(path_).c_str());
+  throw SimulationError(write_error_text(path_, reason));
+}
+
+void PartFile::appear(const std::string& path) {
+  if (std::rename(part_name(path).c_str(), path.c_str()) != 0) throw SimulationError(write_error_text(path, errno));
 }
 
 void PartFile::commit() {
-  if (std::fflush(file) != 0) throw SimulationError(write_error_text(path, errno));
-  const int closed = std::fclose(file);
-  file = nullptr;
-  if (closed != 0) {
-    const int reason = errno;
-    std::remove(part_name(path).c_str());
-    throw SimulationError(write_error_text(path, reason));
-  }
-  if (std::rename(part_name(path).c_str(), path.c_str()) != 0) throw SimulationError(write_error_text(path, errno));
+  leave();
+  appear(path_);
 }
 
 void write_atomically(const std::string& path, std::string_view content) {

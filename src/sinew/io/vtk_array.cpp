@@ -58,12 +58,24 @@ std::string base64(std::span<const std::byte> data) {
   return text;
 }
 
-VtkArrayStream::VtkArrayStream(PartFile& file, std::size_t bytes) : file_(file) {
+std::size_t VtkArrayStream::length(std::size_t bytes) { return length_of_base64(sizeof(std::uint64_t) + bytes); }
+
+VtkArrayStream::VtkArrayStream(PartFile& file, std::size_t bytes, std::size_t place, const Range& range) : file_(file) {
   const std::uint64_t header = bytes;
-  put(std::as_bytes(std::span(&header, 1)));
+  const auto next_group = [](std::size_t byte) { return (byte + 2) / 3 * 3; };
+  const std::size_t whole = bytes + sizeof header, from = range.leads ? 0 : range.begin + sizeof header;
+  const std::size_t to = range.end == bytes ? whole : next_group(range.end + sizeof header);
+  skip_ = next_group(from) - from;
+  left_ = to > next_group(from) ? to - next_group(from) : 0;
+  file_.seek(place + next_group(from) / 3 * 4);
+  if (range.leads) put(std::as_bytes(std::span(&header, 1)));
 }
 
 void VtkArrayStream::put(std::span<const std::byte> data) {
+  const std::size_t before = std::min(skip_, data.size());
+  skip_ -= before;
+  data = data.subspan(before, std::min(left_, data.size() - before));
+  left_ -= data.size();
   while (!data.empty()) {
     const std::size_t size = std::min(data.size(), block_.size() - used_);
     std::memcpy(block_.data() + used_, data.data(), size);
@@ -78,7 +90,7 @@ void VtkArrayStream::end() { write_block(); }
 void VtkArrayStream::write_block() {
   std::array<char, length_of_base64(std::tuple_size_v<decltype(block_)>)> text;
   encode(std::span(block_).first(used_), text.data());
-  file_.write({text.data(), length_of_base64(used_)});
+  if (used_ > 0) file_.write({text.data(), length_of_base64(used_)});
   used_ = 0;
 }
 

@@ -27,69 +27,116 @@ constexpr std::string_view vtk_type<std::int32_t> = "Int32";
 template <>
 constexpr std::string_view vtk_type<std::uint8_t> = "UInt8";
 
-/// `count` numbers in the file, which put(stream) brings as bytes.
-template <class T, class Put>
-void write_array(PartFile& file, std::string_view name, std::size_t count, int components, const Put& put) {
-  // meshio makes a column of one-component arrays that say so, and a plain array of those that do not.
-  const std::string size = components > 1 ? fmt::format(" NumberOfComponents=\"{}\"", components) : "";
-  file.write(
-      fmt::format("        <DataArray type=\"{}\" Name=\"{}\"{} format=\"binary\">\n", vtk_type<T>, xml_escape(name), size));
-  VtkArrayStream stream(file, count * sizeof(T));
-  put(stream);
-  stream.end();
-  file.write("\n        </DataArray>\n");
-}
-
-/// An array of value(0), value(1), ...
-template <class T, class Value>
-void write_values(PartFile& file, std::string_view name, std::size_t count, const Value& value) {
-  write_array<T>(file, name, count, 1, [&](VtkArrayStream& stream) { put_values<T>(stream, count, value); });
-}
-
-void write_reals(PartFile& file, std::string_view name, std::span<const double> values, int components, VtkReal real) {
-  if (real == VtkReal::float64)
-    write_array<double>(file, name, values.size(), components,
-                        [&](VtkArrayStream& stream) { stream.put(std::as_bytes(values)); });
-  else
-    write_array<float>(file, name, values.size(), components, [&](VtkArrayStream& stream) {
-      put_values<float>(stream, values.size(), [&](std::size_t i) { return values[i]; });
-    });
-}
-
-void check_sizes(const Snapshot& snapshot) {
+void check_sizes(const Snapshot& snapshot, const UserRange& range) {
   const std::size_t count = snapshot.position.size();
-  if (count > std::numeric_limits<std::int32_t>::max())
+  if (range.total > std::numeric_limits<std::int32_t>::max())
     throw std::invalid_argument("snapshot: more particles than Int32 can number");
+  if (count != range.rows()) throw std::invalid_argument("snapshot: positions of its range are needed");
   if (snapshot.body.size() != count) throw std::invalid_argument("snapshot: as many bodies as positions are needed");
   for (const FieldData& field : snapshot.fields)
     if (field.values.size() != count * static_cast<std::size_t>(field.components))
       throw std::invalid_argument("snapshot: field " + field.name + " has a wrong number of values");
 }
 
-void write_point_data(PartFile& file, const Snapshot& snapshot, VtkReal real) {
-  const std::size_t count = snapshot.position.size();
-  file.write("      <PointData>\n");
-  for (const FieldData& field : snapshot.fields) write_reals(file, field.name, field.values, field.components, real);
-  write_values<std::int32_t>(file, "body", count, [&](std::size_t i) { return snapshot.body[i]; });
-  write_values<std::int32_t>(file, "particle_id", count, [](std::size_t i) { return i; });
-  file.write("      </PointData>\n");
-}
+/// Writes a file, or the part of it that belongs to the particles of a range: places follow from numbers of particles, so several can do it at once.
+class VtuWriter {
+ public:
+  VtuWriter(PartFile& file, const Snapshot& snapshot, const UserRange& range, VtkReal real)
+      : file_(file),
+        snapshot_(snapshot),
+        range_(range),
+        real_(real) {}
 
-void write_points(PartFile& file, const std::vector<Point>& position, VtkReal real) {
-  static_assert(sizeof(Point) == 3 * sizeof(double));
-  const double* const first = position.empty() ? nullptr : position.front().c;
-  file.write("      <Points>\n");
-  write_reals(file, "Points", {first, 3 * position.size()}, 3, real);
-  file.write("      </Points>\n");
-}
+  void write() {
+    text(
+        "<?xml version=\"1.0\"?>\n"
+        "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n"
+        "  <UnstructuredGrid>\n");
+    text(
+        fmt::format("    <FieldData>\n"
+                    "      <DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" format=\"ascii\">{}</DataArray>\n"
+                    "    </FieldData>\n",
+                    snapshot_.time));
+    text(fmt::format("    <Piece NumberOfPoints=\"{0}\" NumberOfCells=\"{0}\">\n", range_.total));
+    point_data();
+    points();
+    cells();
+    text("    </Piece>\n  </UnstructuredGrid>\n</VTKFile>\n");
+    if (range_.leads) file_.cut(place_);
+  }
 
-void write_cells(PartFile& file, std::size_t count) {
-  file.write("      <Cells>\n");
-  write_values<std::int32_t>(file, "connectivity", count, [](std::size_t i) { return i; });
-  write_values<std::int32_t>(file, "offsets", count, [](std::size_t i) { return i + 1; });
-  write_values<std::uint8_t>(file, "types", count, [](std::size_t) { return vtk_vertex; });
-  file.write("      </Cells>\n");
-}
+ private:
+  void text(std::string_view content) {
+    file_.seek(place_);
+    if (range_.leads) file_.write(content);
+    place_ += content.size();
+  }
+
+  /// Numbers that put(stream) brings as bytes: those of the rows of the range.
+  template <class T, class Put>
+  void array(std::string_view name, int components, const Put& put) {
+    // meshio makes a column of one-component arrays that say so, and a plain array of those that do not.
+    const std::string size = components > 1 ? fmt::format(" NumberOfComponents=\"{}\"", components) : "";
+    text(fmt::format("        <DataArray type=\"{}\" Name=\"{}\"{} format=\"binary\">\n", vtk_type<T>, xml_escape(name), size));
+    const std::size_t row = components * sizeof(T), bytes = range_.total * row;
+    VtkArrayStream stream(file_, bytes, place_, {range_.first * row, (range_.first + range_.count) * row, range_.leads});
+    put(stream);
+    stream.end();
+    place_ += VtkArrayStream::length(bytes);
+    text("\n        </DataArray>\n");
+  }
+
+  /// An array of value(number of a particle).
+  template <class T, class Value>
+  void values(std::string_view name, const Value& value) {
+    const std::size_t most = std::min(range_.count + 2, range_.total - range_.first);
+    array<T>(name, 1, [&](VtkArrayStream& stream) {
+      put_values<T>(stream, most, [&](std::size_t i) { return value(range_.first + i); });
+    });
+  }
+
+  void reals(std::string_view name, std::span<const double> numbers, int components) {
+    if (real_ == VtkReal::float64)
+      array<double>(name, components, [&](VtkArrayStream& stream) { stream.put(std::as_bytes(numbers)); });
+    else
+      array<float>(name, components, [&](VtkArrayStream& stream) {
+        put_values<float>(stream, numbers.size(), [&](std::size_t i) { return numbers[i]; });
+      });
+  }
+
+  void point_data() {
+    text("      <PointData>\n");
+    for (const FieldData& field : snapshot_.fields) reals(field.name, field.values, field.components);
+    array<std::int32_t>("body", 1, [&](VtkArrayStream& stream) {
+      put_values<std::int32_t>(stream, snapshot_.body.size(), [&](std::size_t i) { return snapshot_.body[i]; });
+    });
+    values<std::int32_t>("particle_id", [](std::size_t i) { return i; });
+    text("      </PointData>\n");
+  }
+
+  void points() {
+    static_assert(sizeof(Point) == 3 * sizeof(double));
+    const std::vector<Point>& position = snapshot_.position;
+    const double* const first = position.empty() ? nullptr : position.front().c;
+    text("      <Points>\n");
+    reals("Points", {first, 3 * position.size()}, 3);
+    text("      </Points>\n");
+  }
+
+  void cells() {
+    text("      <Cells>\n");
+    values<std::int32_t>("connectivity", [](std::size_t i) { return i; });
+    values<std::int32_t>("offsets", [](std::size_t i) { return i + 1; });
+    values<std::uint8_t>("types", [](std::size_t) { return vtk_vertex; });
+    text("      </Cells>\n");
+  }
+
+  PartFile& file_;
+  const Snapshot& snapshot_;
+  const UserRange& range_;
+  VtkReal real_;
+  std::size_t place_ = 0;  ///< the same for all writers
+};
 
 /// The text between `before` and the next quotation mark.
 std::optional<std::string_view> attribute(std::string_view line, std::string_view before) {
@@ -104,29 +151,20 @@ std::optional<std::string_view> attribute(std::string_view line, std::string_vie
 }  // namespace
 
 void write_vtu(const std::string& path, const Snapshot& snapshot, VtkReal real) {
-  check_sizes(snapshot);
-  const std::size_t count = snapshot.position.size();
-  PartFile file(path);
-  file.write(
-      "<?xml version=\"1.0\"?>\n"
-      "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n"
-      "  <UnstructuredGrid>\n");
-  file.write(
-      fmt::format("    <FieldData>\n"
-                  "      <DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" format=\"ascii\">{}</DataArray>\n"
-                  "    </FieldData>\n",
-                  snapshot.time));
-  file.write(fmt::format("    <Piece NumberOfPoints=\"{0}\" NumberOfCells=\"{0}\">\n", count));
-  write_point_data(file, snapshot, real);
-  write_points(file, snapshot.position, real);
-  write_cells(file, count);
-  file.write("    </Piece>\n  </UnstructuredGrid>\n</VTKFile>\n");
-  file.commit();
+  const UserRange all{0, snapshot.position.size(), snapshot.position.size(), true};
+  const UserRange range = snapshot.range.value_or(all);
+  check_sizes(snapshot, range);
+  PartFile file(path, snapshot.range ? PartFile::Writers::several : PartFile::Writers::one);
+  VtuWriter(file, snapshot, range, real).write();
+  if (snapshot.range)
+    file.leave();
+  else
+    file.commit();
 }
 
 PvdSeries::PvdSeries(const std::string& path_) : path(path_) {}
 
-PvdSeries PvdSeries::resume(const std::string& path, double keep_until) {
+PvdSeries PvdSeries::resume(const std::string& path, double keep_until, bool rewrite) {
   const std::string content = read_text(path);
   std::string_view text = content;
   if (text.find("<VTKFile type=\"Collection\"") == text.npos)
@@ -140,7 +178,7 @@ PvdSeries PvdSeries::resume(const std::string& path, double keep_until) {
       throw CaseError(path + ": a frame without a time or a file: " + std::string(element));
     if (time <= keep_until) series.frames.push_back({time, xml_unescape(*file)});
   }
-  series.rewrite();
+  if (rewrite) series.rewrite();
   return series;
 }
 

@@ -14,6 +14,7 @@ enum class VtkReal { float64, float32 };
 /// Writes one frame as a VTK unstructured grid: one vertex a particle at its current coordinates; every field as point data
 /// (symmetric tensors XX YY ZZ XY YZ XZ, tensors row-major), `body` and `particle_id` (Int32; the place in the snapshot) and
 /// `TimeValue` as field data. Binary inline, not compressed: that took as long as twenty to thirty steps and saved a fifth.
+/// Of a snapshot of a range it writes the part of these particles, and leaves it to PartFile::appear, once all parts are written, to let the file appear.
 /// Throws SimulationError with path and reason.
 void write_vtu(const std::string& path, const Snapshot& snapshot, VtkReal real = VtkReal::float64);
 
@@ -24,7 +25,8 @@ class PvdSeries {
   explicit PvdSeries(const std::string& path);
   /// Goes on with the series at `path` after its frames with a time of at most `keep_until`. Throws CaseError if it is not
   /// there or not ours.
-  static PvdSeries resume(const std::string& path, double keep_until);
+  /// `rewrite`: the file loses the later frames; else it is only read.
+  static PvdSeries resume(const std::string& path, double keep_until, bool rewrite = true);
 
   /// `relative_file`: as seen from the folder of the .pvd. A frame of the same file is replaced.
   void add(double time, const std::string& relative_file);

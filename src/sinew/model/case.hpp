@@ -167,10 +167,11 @@ struct SolverCase {
           "auto: regular arrangements of particles go without a pair list; off: never. Changes results by rounding only.",
           optional, OneOf{{"auto", "off"}});
     constexpr Range block{8.0, 16384.0, false, false, "from 8 to 16384"};
-    field("block_size", m.block_size, no_unit,
-          "Particles at most in a block, the piece of a body that one thread computes at a time and one rank owns; 16384 if not "
-          "given. Smaller blocks let more ranks share a small case, at the price of more copies. Changes results by rounding only.",
-          block, optional);
+    field(
+        "block_size", m.block_size, no_unit,
+        "Particles at most in a block, the piece of a body that one thread computes at a time and one rank owns; 16384 if not "
+        "given. Smaller blocks let more ranks share a small case, at the price of more copies. Changes results by rounding only.",
+        block, optional);
   }
 };
 

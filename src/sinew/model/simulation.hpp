@@ -22,7 +22,7 @@ struct ModelFacts {
   std::size_t memory_bytes = 0;
   double bytes_per_particle = 0.0;
   int blocks = 0;
-  RanksPlan ranks;  ///< how the ranks share the case, and what they send each other in a step
+  RanksPlan ranks;             ///< how the ranks share the case, and what they send each other in a step
   double lattice_share = 0.0;  ///< part of the slices of eight particles that go without a pair list
   int lattice_patterns = 0;
   std::string pair_weights;  ///< of the others: "stored", "single" or "computed"
@@ -59,11 +59,17 @@ struct SavedState {
   double time = 0.0;
   long step = 0;
   std::map<std::string, double> numbers;
-  std::map<std::string, std::vector<double>> arrays;
+  std::map<std::string, std::vector<double>> arrays;  ///< the same on all ranks
+  struct Field {
+    int width = 1;
+    std::vector<double> rows;
+  };
+  UserRange range;                      ///< of the user's order, that this rank has
+  std::map<std::string, Field> fields;  ///< range.count rows of `width` numbers each
 };
 
-/// Where ranks share a case, every call that is not const is collective, and so is state_hash(). All ranks get the same answers, but
-/// what has a value for each particle (snapshots, arrays of a saved state) is on the root alone.
+/// Where ranks share a case, every call that is not const is collective, and so is state_hash(). All ranks get the same answers, but for what has a value for each
+/// particle.
 class Simulation {
  public:
   /// Builds particles, neighbors, weights, regions and conditions, and evaluates the initial forces. Throws CaseError.
@@ -85,13 +91,10 @@ class Simulation {
   virtual std::vector<double> probe_values() = 0;  ///< of Case::probes, in order
   virtual std::vector<std::string> probe_units() const = 0;
   /// Into an empty snapshot, or one that this simulation filled before: its memory is used again, and what never changes (size, body,
-  /// names, units) is kept.
+  /// names, units) is kept. Where ranks share a case each gets a range of the particles.
   virtual void fill_snapshot(const std::vector<std::string>& fields, Snapshot& snapshot) = 0;
-  Snapshot snapshot(const std::vector<std::string>& fields) {
-    Snapshot s;
-    fill_snapshot(fields, s);
-    return s;
-  }
+  /// Of all particles, on the root.
+  virtual Snapshot snapshot(const std::vector<std::string>& fields) = 0;
 
   virtual std::string state_hash() const = 0;  ///< of positions and velocities of all particles, by their numbers
   virtual SavedState save() = 0;

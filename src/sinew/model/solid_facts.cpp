@@ -64,10 +64,10 @@ void SolidSimulation<D>::collect_ranks() {
   ranks.bytes_most = comm_.maximum(sent);
   ranks.messages_most = static_cast<int>(comm_.maximum(halo.displacements.messages() + halo.forces.messages()));
   if (const long idle = comm_.sum(particles_.count == 0 ? 1L : 0L); idle > 0)
-    facts_.warnings.push_back(
-        fmt::format("{} of {} ranks have nothing to do: the case has {} block{} of particles, and one rank computes a block. Use fewer "
-                    "ranks or a smaller [solver] block_size.",
-                    idle, comm_.size(), facts_.blocks, facts_.blocks == 1 ? "" : "s"));
+    facts_.warnings.push_back(fmt::format(
+        "{} of {} ranks have nothing to do: the case has {} block{} of particles, and one rank computes a block. Use fewer "
+        "ranks or a smaller [solver] block_size.",
+        idle, comm_.size(), facts_.blocks, facts_.blocks == 1 ? "" : "s"));
 }
 
 template <int D>

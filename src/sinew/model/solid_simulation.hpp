@@ -36,6 +36,7 @@ class SolidSimulation final : public Simulation {
   std::vector<double> probe_values() override;
   std::vector<std::string> probe_units() const override { return probes_.units(); }
   void fill_snapshot(const std::vector<std::string>& fields, Snapshot& snapshot) override;
+  Snapshot snapshot(const std::vector<std::string>& fields) override;
 
   std::string state_hash() const override;
   SavedState save() override;

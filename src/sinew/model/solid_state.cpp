@@ -1,4 +1,4 @@
-/// Of SolidSimulation: what leaves it (files, restart) and what is watched (a state that is no longer usable).
+/// Of SolidSimulation: restart, the hash of the state, and what is watched (a state that is no longer usable).
 
 #include <sinew/model/fields.hpp>
 #include <sinew/model/solid_simulation.hpp>
@@ -17,18 +17,19 @@ namespace sinew {
 namespace {
 
 template <int D>
-std::vector<double> in_users_order(const VectorField<D>& field, const UserOrder& order) {
+SavedState::Field in_users_order(const VectorField<D>& field, const UserOrder& order) {
   std::vector<double> rows;
   rows.reserve(order.slots().size() * D);
   for (int slot : order.slots())
     for (int c = 0; c < D; ++c) rows.push_back(field.at(c, slot));
-  return order.gather(std::move(rows), D);
+  rows = order.to_range(rows, D);
+  rows.resize(order.range().count * D);
+  return {D, std::move(rows)};
 }
 
-/// `in`: on the root.
 template <int D>
-void from_users_order(const std::vector<double>& in, const UserOrder& order, VectorField<D>& field) {
-  const std::vector<double> rows = order.scatter(in, D);
+void from_users_order(const SavedState::Field& in, const UserOrder& order, VectorField<D>& field) {
+  const std::vector<double> rows = order.from_range(in.rows, D);
   std::size_t k = 0;
   for (int slot : order.slots())
     for (int c = 0; c < D; ++c) field.at(c, slot) = rows[k++];
@@ -61,28 +62,6 @@ double value_of(const std::vector<double>& rows, int condition, int particle) {
   return found ? rows[3 * begin + 2] : 0.0;
 }
 
-/// A quantity of all particles, and where it goes.
-template <int D>
-struct Output {
-  ParticleQuantity<D> quantity;
-  double* values;
-};
-
-/// Of all particles, to the given rows. Some slots at a time, so that what one quantity has read (F, P) is in the cache for the next; in computing order, since more
-/// is read than written.
-template <int D>
-void fill(const std::vector<Output<D>>& outputs, const QuantitySource<D>& source, const std::vector<int>& slots,
-          const std::vector<int>& rows) {
-  constexpr std::size_t together = 256;
-  const auto count = static_cast<std::ptrdiff_t>(slots.size());
-#pragma omp parallel for schedule(static) if (count >= fewest_for_threads)
-  for (std::ptrdiff_t begin = 0; begin < count; begin += together) {
-    const std::size_t size = std::min(together, slots.size() - begin);
-    for (const Output<D>& out : outputs)
-      out.quantity.values(source, std::span(slots).subspan(begin, size), std::span(rows).subspan(begin, size), out.values);
-  }
-}
-
 /// What a failed run may try about its zero-energy modes.
 std::string hourglass_advice(const std::optional<HourglassStiffness>& hourglass) {
   if (!hourglass) return "zero-energy modes, which nothing controls (try stabilization = [{ model = \"hourglass_stiffness\" }])";
@@ -92,60 +71,6 @@ std::string hourglass_advice(const std::optional<HourglassStiffness>& hourglass)
 }
 
 }  // namespace
-
-/// What never changes while a simulation runs.
-template <int D>
-void SolidSimulation<D>::describe(Snapshot& s) const {
-  s.dimension = D;
-  s.length_unit = case_.general.units.name_of("m");
-  s.time_unit = case_.general.units.name_of("s");
-  s.body_names.clear();
-  for (const BodyRange& body : particles_.bodies) s.body_names.push_back(body.name);
-  std::vector<double> rows;
-  for (int slot : order_.slots()) {
-    rows.push_back(std::pow(particles_.volume[slot], 1.0 / D));
-    rows.push_back(particles_.body_of(slot));
-  }
-  rows = order_.gather(std::move(rows), 2);
-  s.size.clear();
-  s.body.clear();
-  for (std::size_t k = 0; k < rows.size(); k += 2) {
-    s.size.push_back(rows[k]);
-    s.body.push_back(static_cast<int>(rows[k + 1]));
-  }
-}
-
-/// A process alone fills the rows of the snapshot themselves, one of several ranks rows of its own, which then go to the root.
-template <int D>
-void SolidSimulation<D>::fill_snapshot(const std::vector<std::string>& fields, Snapshot& s) {
-  const std::vector<int>& slots = order_.slots();
-  if (comm_.any(s.body_names.empty())) describe(s);
-  s.time = time_;
-  s.step = steps_;
-  s.fields.resize(fields.size());
-  std::vector<double> position(comm_.alone() ? 0 : 3 * slots.size());
-  s.position.resize(comm_.alone() ? slots.size() : 0);
-  std::vector<Output<D>> outputs{
-      {particle_quantity<D>("position"), comm_.alone() && !slots.empty() ? s.position.front().c : position.data()}};
-  for (std::size_t f = 0; f < fields.size(); ++f) {
-    const ParticleQuantity<D> quantity = particle_quantity<D>(fields[f]);
-    s.fields[f].name = fields[f];
-    s.fields[f].unit = case_.general.units.name_of(find_quantity(fields[f])->unit);
-    s.fields[f].components = quantity.components;
-    s.fields[f].values.resize(slots.size() * quantity.components);
-    outputs.push_back({quantity, s.fields[f].values.data()});
-  }
-  if (std::find(fields.begin(), fields.end(), "hourglass_error") != fields.end()) wants_hourglass_error_ = true;
-  const bool recorded = std::any_of(fields.begin(), fields.end(), [](const std::string& name) { return needs_record(name); });
-  std::vector<int> rows;
-  for (int slot : slots) rows.push_back(comm_.alone() ? particles_.user_index[slot] : static_cast<int>(rows.size()));
-  fill(outputs, {particles_, solid_, recorded ? &record() : nullptr}, slots, rows);
-  if (comm_.alone()) return;
-  position = order_.gather(std::move(position), 3);
-  s.position.resize(position.size() / 3);
-  for (std::size_t k = 0; k < position.size(); ++k) s.position[k / 3][static_cast<int>(k % 3)] = position[k];
-  for (FieldData& field : s.fields) field.values = order_.gather(std::move(field.values), field.components);
-}
 
 /// For each particle a hash of its number and of the bits of x and v; their sum does not depend on an order.
 template <int D>
@@ -172,18 +97,18 @@ std::string SolidSimulation<D>::state_hash() const {
 
 template <int D>
 SavedState SolidSimulation<D>::save() {
-  SavedState s{time_, steps_, {}, {}};
-  s.arrays["displacement"] = in_users_order(particles_.displacement, order_);
-  s.arrays["reference_position"] = in_users_order(particles_.position, order_);
-  s.arrays["velocity"] = in_users_order(particles_.velocity, order_);
-  s.arrays["acceleration"] = in_users_order(particles_.acceleration, order_);
+  SavedState s{time_, steps_, {}, {}, order_.range(), {}};
+  s.fields["displacement"] = in_users_order(particles_.displacement, order_);
+  s.fields["reference_position"] = in_users_order(particles_.position, order_);
+  s.fields["velocity"] = in_users_order(particles_.velocity, order_);
+  s.fields["acceleration"] = in_users_order(particles_.acceleration, order_);
   std::vector<double> of_blocks, reactions;
   for (std::size_t b = 0; b < particles_.blocks.size(); ++b)
     of_blocks.insert(of_blocks.end(), {motion_.work()[b], loads_.work()[b], dissipated_[b], dissipation_rate_[b]});
   s.arrays["blocks"] = gather_over_blocks(comm_, particles_.block_numbers(), of_blocks, 4);
   for (const auto& r : motion_.reactions())
     reactions.insert(reactions.end(), {double(r.condition), double(particles_.user_index[r.slot]), r.value});
-  s.arrays["reactions"] = sorted_rows(comm_.gather_rows(reactions, 3));
+  s.arrays["reactions"] = sorted_rows(comm_.gather_all(reactions));
   s.numbers = {{"initial_energy", initial_energy_},
                {"initial_gravity_work", initial_gravity_work_},
                {"first_time_step", first_time_step_},
@@ -196,20 +121,17 @@ SavedState SolidSimulation<D>::save() {
 
 template <int D>
 void SolidSimulation<D>::restore(const SavedState& s) {
-  const auto array = [&](const char* name) { return comm_.root() ? s.arrays.at(name) : std::vector<double>(); };
-  const std::vector<double> reference = in_users_order(particles_.position, order_);
-  comm_.on_root([&] {
-    if (reference != s.arrays.at("reference_position"))
+  const bool same = in_users_order(particles_.position, order_).rows == s.fields.at("reference_position").rows;
+  comm_.together([&] {
+    if (!same)
       throw CaseError("the checkpoint belongs to other particles than the case makes now. Resume with the case that wrote it.");
   });
-  from_users_order(array("displacement"), order_, particles_.displacement);
-  from_users_order(array("velocity"), order_, particles_.velocity);
-  from_users_order(array("acceleration"), order_, particles_.acceleration);
+  from_users_order(s.fields.at("displacement"), order_, particles_.displacement);
+  from_users_order(s.fields.at("velocity"), order_, particles_.velocity);
+  from_users_order(s.fields.at("acceleration"), order_, particles_.acceleration);
   time_ = s.time;
   steps_ = s.step;
-  std::vector<double> of_blocks = array("blocks"), reactions = array("reactions");
-  comm_.broadcast(of_blocks);
-  comm_.broadcast(reactions);
+  const std::vector<double>&of_blocks = s.arrays.at("blocks"), &reactions = s.arrays.at("reactions");
   std::vector<double> motion_work, load_work;
   for (std::size_t b = 0; b < particles_.blocks.size(); ++b) {
     const double* of_block = of_blocks.data() + 4 * std::size_t(particles_.blocks[b].number);
@@ -280,8 +202,6 @@ void SolidSimulation<D>::fail(const std::string& cause) {
   std::abort();  // one of the ranks has it
 }
 
-template void SolidSimulation<2>::fill_snapshot(const std::vector<std::string>&, Snapshot&);
-template void SolidSimulation<3>::fill_snapshot(const std::vector<std::string>&, Snapshot&);
 template std::string SolidSimulation<2>::state_hash() const;
 template std::string SolidSimulation<3>::state_hash() const;
 template SavedState SolidSimulation<2>::save();

@@ -181,15 +181,14 @@ std::vector<double> Comm::gather_rows(std::span<const double> rows, int width) c
   return all;
 }
 
-void Comm::scatter_rows(std::span<const double> all, int width, std::span<double> rows) const {
-  if (!group_) {
-    std::copy(all.begin(), all.end(), rows.begin());
-    return;
-  }
-  const std::size_t own = rows.size() / width;
-  const std::vector<int> counts = counts_of_all(group_->world, group_->size, own), first = first_of(counts);
+std::vector<double> Comm::exchange_rows(std::vector<double> rows, int width, const std::vector<int>& send,
+                                        const std::vector<int>& receive) const {
+  if (!group_) return rows;
+  const std::vector<int> send_first = first_of(send), first = first_of(receive);
+  std::vector<double> come(static_cast<std::size_t>(first.back()) * width);
   const RowType row(width);
-  MPI_Scatterv(all.data(), counts.data(), first.data(), row, rows.data(), static_cast<int>(own), row, 0, group_->world);
+  MPI_Alltoallv(rows.data(), send.data(), send_first.data(), row, come.data(), receive.data(), first.data(), row, group_->world);
+  return come;
 }
 
 void Comm::broadcast(std::string& text, int from) const {

@@ -57,9 +57,11 @@ class Comm {
   std::vector<int> gather(std::span<const int> values) const;
   /// to[r] goes to rank r; returns what came from each.
   std::vector<std::vector<int>> exchange(const std::vector<std::vector<int>>& to) const;
-  /// Rows of `width` doubles: those of all ranks on the root, rank after rank, and back. `rows` of each rank: how many it has.
+  /// Rows of `width` doubles: those of all ranks on the root, rank after rank.
   std::vector<double> gather_rows(std::span<const double> rows, int width) const;
-  void scatter_rows(std::span<const double> all, int width, std::span<double> rows) const;
+  /// send[r] of the rows go to rank r, receive[r] come from it; those that come, rank after rank.
+  std::vector<double> exchange_rows(std::vector<double> rows, int width, const std::vector<int>& send,
+                                    const std::vector<int>& receive) const;
   /// From one rank to all.
   void broadcast(std::string& text, int from = 0) const;
   void broadcast(std::vector<int>& values, int from = 0) const;

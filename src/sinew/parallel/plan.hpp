@@ -29,7 +29,7 @@ RanksPlan plan_for(const BlockPairs<D>& pairs, int ranks);
 
 /// How long a message takes: latency + bytes / bandwidth.
 struct Network {
-  double latency = 2e-6;     ///< [s]
+  double latency = 2e-6;    ///< [s]
   double bandwidth = 10e9;  ///< of one rank [bytes/s]
 
   /// A step of the busiest rank [s]: its pairs, its messages one after the other, and a reduction over all ranks as a tree there and back. Nothing

@@ -1,6 +1,8 @@
 #pragma once
 /// The state of all particles at one time, in the user's order, as files and pictures want it.
 
+#include <cstddef>
+#include <optional>
 #include <sinew/core/vec.hpp>
 #include <string>
 #include <vector>
@@ -15,13 +17,25 @@ struct FieldData {
   std::vector<double> values;  ///< particle after particle: values[p * components + c]
 };
 
+/// A piece of the user's order of particles.
+struct UserRange {
+  std::size_t first = 0;  ///< number of its first particle
+  std::size_t count = 0;  ///< particles in it
+  std::size_t total = 0;  ///< particles of the case
+  bool leads = true;      ///< of the rank that writes what belongs to no particle
+
+  /// A snapshot of a range holds one particle more, unless it ends with the last one: files pack bytes by three.
+  std::size_t rows() const { return count + (first + count < total ? 1 : 0); }
+};
+
 struct Snapshot {
   double time = 0.0;
   long step = 0;
   int dimension = 3;
-  std::vector<Point> position;  ///< current coordinates
-  std::vector<double> size;     ///< edge length of the volume that each particle stands for, for drawing
-  std::vector<int> body;        ///< index into body_names
+  std::optional<UserRange> range;  ///< which particles it holds; none: all of them
+  std::vector<Point> position;     ///< current coordinates
+  std::vector<double> size;        ///< edge length of the volume that each particle stands for, for drawing
+  std::vector<int> body;           ///< index into body_names
   std::vector<std::string> body_names;
   std::vector<FieldData> fields;
   std::string length_unit = "m", time_unit = "s";

@@ -24,9 +24,10 @@ class FakeSimulation final : public Simulation {
   std::vector<double> probe_values() override { return {time() * time()}; }
   std::vector<std::string> probe_units() const override { return {"m"}; }
   void fill_snapshot(const std::vector<std::string>&, Snapshot&) override {}
+  Snapshot snapshot(const std::vector<std::string>&) override { return {}; }
   std::string state_hash() const override { return ""; }
   RanksPlan plan(int) const override { return {}; }
-  SavedState save() override { return {time(), steps_, {}, {}}; }
+  SavedState save() override { return {time(), steps_, {}, {}, {}, {}}; }
   void restore(const SavedState& state) override { steps_ = state.step; }
   std::map<std::string, double> pass_seconds() const override { return {}; }
 
@@ -124,7 +125,7 @@ TEST_F(RecorderTest, ResumedHistoryIsThatOfAnUndisturbedRun) {
     advance(recorder, 10);  // after the checkpoint, lost
     recorder.flush();
   }
-  simulation.restore({0.0, 6001, {}, {}});
+  simulation.restore({0.0, 6001, {}, {}, {}, {}});
   Recorder recorder(c, simulation, folder, Comm());
   recorder.resume(saved);
   advance(recorder, 6344);

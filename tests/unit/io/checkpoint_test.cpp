@@ -50,6 +50,48 @@ TEST(Checkpoint, ComesBackToTheLastBit) {
   EXPECT_FALSE(std::filesystem::exists(folder / "checkpoint.h5.part"));
 }
 
+/// Rows of particles, and damage in them.
+TEST(Checkpoint, FieldsComeBackAndTheirDamageIsSeen) {
+  const test::TemporaryFolder folder;
+  const std::string path = folder / "c.h5";
+  Checkpoint a;
+  a.range = {0, 1000, 1000, true};
+  for (int k = 0; k < 3000; ++k) a.fields["velocity"].rows.push_back(0.1 * k);
+  a.fields["velocity"].width = 3;
+  a.fields["a/b"].rows.assign(1000, -0.0);
+  write_checkpoint(path, a);
+  const Checkpoint b = read_checkpoint(path);
+  EXPECT_EQ(b.range.count, 1000U);
+  ASSERT_EQ(b.fields.size(), 2U);
+  EXPECT_EQ(b.fields.at("velocity").width, 3);
+  EXPECT_TRUE(bits(a.fields["velocity"].rows) == bits(b.fields.at("velocity").rows));
+  EXPECT_TRUE(bits(a.fields["a/b"].rows) == bits(b.fields.at("a/b").rows));
+  std::string changed = test::content(path);
+  const double value = a.fields["velocity"].rows[1234];
+  const std::size_t at = changed.find({reinterpret_cast<const char*>(&value), sizeof value});
+  ASSERT_NE(at, std::string::npos);
+  changed[at] = static_cast<char>(changed[at] ^ 1);
+  test::put(path, changed);
+  EXPECT_NE(message_of<CaseError>([&] { read_checkpoint(path); }).find("the checksum of \"velocity\" is not right"),
+            std::string::npos);
+}
+
+/// Whatever HDF5 reads there: the file is HDF5 with plain datasets.
+TEST(Checkpoint, FieldsAreDatasetsOfHdf5) {
+  const test::TemporaryFolder folder;
+  Checkpoint a;
+  a.range = {0, 4, 4, true};
+  a.fields["velocity"] = {2, {1, 2, 3, 4, 5, 6, 7, 8}};
+  write_checkpoint(folder / "c.h5", a);
+  const hid_t file = H5Fopen((folder / "c.h5").c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  const hid_t data = H5Dopen2(file, "fields/velocity", H5P_DEFAULT);
+  std::vector<double> values(8);
+  ASSERT_GE(H5Dread(data, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), 0);
+  H5Dclose(data);
+  H5Fclose(file);
+  EXPECT_EQ(values, a.fields["velocity"].rows);
+}
+
 TEST(Checkpoint, LargeTextOfManyNumbers) {
   const test::TemporaryFolder folder;
   Checkpoint a;
@@ -101,7 +143,7 @@ TEST(Checkpoint, OtherFormatVersion) {
   std::snprintf(line, sizeof line, "\nsinew crc32 %08lx\n",
                 crc32(0, reinterpret_cast<const Bytef*>(changed.data()), static_cast<uInt>(changed.size())));
   test::put(path, changed + line);
-  EXPECT_NE(message_of<CaseError>([&] { read_checkpoint(path); }).find("has checkpoint format 7; this program reads format 1"),
+  EXPECT_NE(message_of<CaseError>([&] { read_checkpoint(path); }).find("has checkpoint format 7; this program reads format 2"),
             std::string::npos);
 }
 

@@ -7,6 +7,7 @@
 #include <sinew/core/error.hpp>
 #include <sinew/io/vtk_array.hpp>
 #include <sinew/io/write_vtk.hpp>
+#include <sinew/parallel/user_order.hpp>
 #include <unit/io/temporary_folder.hpp>
 
 namespace sinew {
@@ -164,6 +165,41 @@ TEST(WriteVtu, DoubleKeepsEveryBit) {
   EXPECT_EQ(array_in<std::int32_t>(file, "Int32", "connectivity"), number);
   std::iota(number.begin(), number.end(), 1);
   EXPECT_EQ(array_in<std::int32_t>(file, "Int32", "offsets"), number);
+}
+
+/// The particles of a range, and one more where the files want it.
+Snapshot part_of(const Snapshot& whole, const UserRange& range) {
+  Snapshot part;
+  part.range = range;
+  const auto cut = [&](const auto& values, auto& into, std::size_t width) {
+    into.assign(values.begin() + width * range.first, values.begin() + width * (range.first + range.rows()));
+  };
+  cut(whole.position, part.position, 1);
+  cut(whole.body, part.body, 1);
+  part.fields = whole.fields;
+  for (std::size_t f = 0; f < whole.fields.size(); ++f)
+    cut(whole.fields[f].values, part.fields[f].values, whole.fields[f].components);
+  return part;
+}
+
+/// Several writers, in any order, of ranges also without particles.
+TEST(WriteVtu, PartsMakeTheWholeFile) {
+  const test::TemporaryFolder folder;
+  for (const std::size_t count : {0, 1, 2, 5, 1000, 20'000})
+    for (const VtkReal real : {VtkReal::float64, VtkReal::float32}) {
+      Snapshot whole = part_of(many_particles(), {0, count, count, true});
+      whole.range.reset();
+      write_vtu(folder / "whole.vtu", whole, real);
+      for (const int writers : {1, 2, 3, 4, 7}) {
+        test::put(folder / "parts.vtu.part", std::string(3'000'000, 'x'));  // of a run that was killed
+        for (int w = writers - 1; w >= 0; --w)
+          write_vtu(folder / "parts.vtu", part_of(whole, user_range(count, w, writers)), real);
+        EXPECT_FALSE(std::filesystem::exists(folder / "parts.vtu"));
+        PartFile::appear(folder / "parts.vtu");
+        EXPECT_TRUE(content(folder / "parts.vtu") == content(folder / "whole.vtu")) << count << " particles, " << writers;
+        std::filesystem::remove(folder / "parts.vtu");
+      }
+    }
 }
 
 TEST(WriteVtu, SingleIsTheNearestFloat) {
