@@ -1,5 +1,6 @@
 """Several ranks give the bits of one, in every file, and fail together. SINEW and CASE_HASHES name the programs."""
 import os
+import re
 import signal
 import subprocess
 import time
@@ -85,6 +86,17 @@ class Runs(RanksTest):
             for key in ("state_hash", "steps", "energy", "probes"):
                 self.assertEqual(self.summary("cut")[key], self.summary("undisturbed")[key], f"{key}, {before} then {after} ranks")
             self.assertEqual((self.folder / "cut/history.csv").read_text(), (self.folder / "undisturbed/history.csv").read_text())
+
+    def test_check_plans_what_a_run_does(self):
+        plan = self.succeed("check", self.case, "--ranks", "2,3", *BLOCKS).splitlines()
+        for ranks in (2, 3):
+            self.run_on(ranks, "out", "--force")
+            row = next(line for line in plan if line.startswith(f"    {ranks} "))
+            log = (self.folder / "out/run.log").read_text()
+            said = re.search(r"([\d.]+) % copies; a step sends (.* k?B) in at most (\d+) messages", log)
+            self.assertIn(f" {said[2]} ", row)
+            self.assertEqual(round(float(said[1])), int(re.search(r"(\d+) %  +[\d.]+ k?B", row)[1]), row)
+            self.assertRegex(row, rf"B +{said[3]} ")
 
     def test_studies(self):
         study = CASE + '\n[study]\nvary = { "parameters.n" = [4, 5] }\n'

@@ -57,6 +57,9 @@ Summary CaseRun::summarize(const FinishedRun& finished) {
   for (const auto& [name, probe] : finished.probes)
     s.probes[name] = {probe.samples.value.empty() ? 0.0 : probe.samples.value.back(), probe.min, probe.max, probe.unit};
   if (c.study.vary.empty()) s.expect = check_expects(c.expects, finished, control.tier);
+  s.exchange = {{"copies_share", facts.ranks.copies_share},
+                {"bytes_per_step", facts.ranks.bytes},
+                {"messages_per_rank", facts.ranks.messages_most}};
   s.pass_timings = simulation.pass_seconds();
   s.warnings = facts.warnings;
   return s;

@@ -260,9 +260,12 @@ Checkpoint read_checkpoint(const std::string& path, const Comm& comm) {
       checkpoint.fields[name] = read_rows(path, field, checkpoint.range);
     }
   });
+  std::string wrong;
   for (const auto& [name, field] : checkpoint.fields)
-    if (crc32_of_all(comm, field.rows) != stored.at(name).crc)
-      comm.together([&] { throw CaseError(damaged(path, "the checksum of \"" + name + "\" is not right")); });
+    if (crc32_of_all(comm, field.rows) != stored.at(name).crc) wrong = name;
+  comm.together([&] {
+    if (!wrong.empty()) throw CaseError(damaged(path, "the checksum of \"" + wrong + "\" is not right"));
+  });
   return checkpoint;
 }
 

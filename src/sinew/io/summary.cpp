@@ -55,6 +55,7 @@ void describe(Summary& s, Visit&& visit) {
   visit("momentum", s.momentum);
   visit("probes", s.probes);
   visit("expect", s.expect);
+  visit("exchange", s.exchange);
   visit("pass_timings", s.pass_timings);
   visit("warnings", s.warnings);
 }

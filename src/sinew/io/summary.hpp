@@ -39,6 +39,7 @@ struct Summary {
   std::map<std::string, double> momentum;  ///< balance of linear and angular momentum
   std::map<std::string, ProbeSummary> probes;
   std::vector<ExpectSummary> expect;
+  std::map<std::string, double> exchange;      ///< between ranks: copies_share, bytes_per_step, messages_per_rank
   std::map<std::string, double> pass_timings;  ///< seconds spent in each pass
   std::vector<std::string> warnings;
 };
