@@ -1,4 +1,4 @@
-/// Runs a few steps of every case of the repository on the ranks of mpiexec, in small blocks so that all have some, and prints a line for each: its name and what must not
+/// Runs a few steps of every case of the repository, and of two that combine what those do not, on the ranks of mpiexec, in small blocks so that all have some, and prints a line for each: its name and what must not
 /// depend on ranks or threads.
 
 #include <omp.h>
@@ -22,7 +22,7 @@ using namespace sinew;
 
 std::vector<std::string> case_files() {
   std::vector<std::string> files;
-  for (const char* folder : {"examples", "validation"})
+  for (const char* folder : {"examples", "validation", "tests/ranks"})
     for (const auto& entry : fs::recursive_directory_iterator(std::string(SINEW_SOURCE_FOLDER) + "/" + folder))
       if (entry.path().extension() == ".toml" && entry.path().stem() != "reference") files.push_back(entry.path().string());
   std::sort(files.begin(), files.end());

@@ -132,9 +132,9 @@ void SolidSimulation<D>::share_limits() {
 /// Trapezoidal rule for the power of the damping, c sum m v^2.
 template <int D>
 void SolidSimulation<D>::count_dissipation(double dt) {
-  const std::vector<double> kinetic = kinetic_energies(particles_);
-  for (std::size_t b = 0; b < kinetic.size(); ++b) {
-    const double rate = 2.0 * case_.solver.damping * kinetic[b];
+  kinetic_energies(particles_, kinetic_);
+  for (std::size_t b = 0; b < kinetic_.size(); ++b) {
+    const double rate = 2.0 * case_.solver.damping * kinetic_[b];
     dissipated_[b] += 0.5 * dt * (dissipation_rate_[b] + rate);
     dissipation_rate_[b] = rate;
   }

@@ -84,6 +84,7 @@ class SolidSimulation final : public Simulation {
   ForceSummary summary_;  ///< of the current state; its limits (Jacobian, rate) are those of all ranks
   double first_time_step_ = 0.0;
   std::vector<double> dissipated_, dissipation_rate_;  ///< by damping, of each block [energy], [energy/time]
+  std::vector<double> kinetic_;                        ///< scratch
   double initial_energy_ = 0.0, initial_gravity_work_ = 0.0;
   std::unique_ptr<RecordedState> record_;
   bool record_expected_ = false, wants_hourglass_error_ = false;

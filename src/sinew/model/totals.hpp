@@ -21,23 +21,22 @@ void for_each_eight(const BlockRange& block, Use&& use) {
   if (slot < block.end) use([slot, &block](const double* values) { return Pack::load_some(values + slot, block.end - slot); });
 }
 
-/// sums(block) gives an array of numbers for each block; all of them, block after block.
+/// sums(block) gives an array of numbers for each block; all of them go to `all`, block after block.
 template <std::size_t width, int D, class Sums>
-std::vector<double> of_each_block(const Particles<D>& particles, Sums&& sums) {
-  std::vector<double> all(particles.blocks.size() * width);
+void of_each_block(const Particles<D>& particles, Sums&& sums, std::vector<double>& all) {
+  all.resize(particles.blocks.size() * width);
   const auto count = static_cast<int>(particles.blocks.size());
 #pragma omp parallel for schedule(static) if (particles.slots >= fewest_for_threads)
   for (int b = 0; b < count; ++b) {
     const std::array<double, width> of_block = sums(particles.blocks[b]);
     std::copy(of_block.begin(), of_block.end(), all.begin() + b * width);
   }
-  return all;
 }
 
 /// Sum of m v^2 / 2 over each block [energy].
 template <int D>
-std::vector<double> kinetic_energies(const Particles<D>& particles) {
-  return of_each_block<1>(particles, [&](const BlockRange& block) -> std::array<double, 1> {
+void kinetic_energies(const Particles<D>& particles, std::vector<double>& energies) {
+  const auto sums = [&](const BlockRange& block) -> std::array<double, 1> {
     Pack twice;
     for_each_eight(block, [&](const auto& load) {
       Pack square;
@@ -48,7 +47,8 @@ std::vector<double> kinetic_energies(const Particles<D>& particles) {
       twice += load(particles.mass.data()) * square;
     });
     return {0.5 * sum(twice)};
-  });
+  };
+  of_each_block<1>(particles, sums, energies);
 }
 
 /// What follows from the places and velocities of the particles alone.
@@ -89,7 +89,9 @@ std::array<double, 9> block_totals(const Particles<D>& particles, const BlockRan
 template <int D>
 Totals totals_of(const Comm& comm, const Particles<D>& particles, const Vec<double, D>& gravity) {
   const auto sums = [&](const BlockRange& block) { return block_totals(particles, block, gravity); };
-  const std::vector<double> all = sum_over_blocks(comm, particles.block_numbers(), of_each_block<9>(particles, sums), 9);
+  std::vector<double> all;
+  of_each_block<9>(particles, sums, all);
+  all = sum_over_blocks(comm, particles.block_numbers(), all, 9);
   Totals t;
   for (int c = 0; c < 3; ++c) t.momenta.linear[c] = all[c], t.momenta.angular[c] = all[3 + c];
   t.momenta.linear_scale = all[6];

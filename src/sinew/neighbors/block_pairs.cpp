@@ -194,10 +194,11 @@ std::vector<int> BlockPairs<D>::neighbors(int slot, const Arrangement<D>& partic
   const int slice = static_cast<int>(after - begin) - 1, lane = place % lanes;
   std::vector<int> all;
   if (listed(slice))
-    for (int n = 0; n < neighbor_count[slot]; ++n) all.push_back(slots[entry(first_entry[slice] + n)[lane]]);
+    for (int n = 0; n < neighbor_count[slot]; ++n) all.push_back(entry(first_entry[slice] + n)[lane]);
   else
-    for (int offset : lattice.offsets(lattice.of_slice[slice], lane)) all.push_back(slots[place + offset]);
+    for (int offset : lattice.offsets(lattice.of_slice[slice], lane)) all.push_back(place + offset);
   std::sort(all.begin(), all.end());
+  for (int& neighbor : all) neighbor = slots[neighbor];
   return all;
 }
 

@@ -21,7 +21,7 @@ struct BlockPairs {
   std::size_t entries() const { return first_entry.back(); }
   const PlaceIndex* entry(std::size_t e) const { return places.data() + lanes * e; }
   bool listed(int slice) const { return lattice.of_slice[slice] == LatticePatterns<D>::none; }
-  /// The slots of the neighbors of a particle, ascending.
+  /// The slots of the neighbors of a particle, in the order of their places, which does not depend on who has the block.
   std::vector<int> neighbors(int slot, const Arrangement<D>& particles) const;
   std::size_t bytes() const;
 };
