@@ -69,7 +69,8 @@ class Runs(RanksTest):
     def test_the_option_n_starts_ranks(self):
         self.succeed("run", self.case, "-o", "out", "-n", "2", "-t", "1", *BLOCKS)
         self.assertEqual((self.summary("out")["ranks"], self.summary("out")["threads"]), (2, 1))
-        self.assertIn("-n asks for 3 ranks, but 2 were started", self.on_ranks(2, "run", self.case, "-n", "3").stderr)
+        message = self.on_ranks(2, "run", self.case, "-n", "3").stderr
+        self.assertEqual(message.count("-n asks for 3 ranks, but 2 were started"), 1, message)
 
     def test_more_ranks_than_blocks(self):
         self.run_on(2, "many", "--set", "solver.block_size=100")
@@ -113,6 +114,9 @@ class Errors(RanksTest):
         self.assertEqual(result.returncode, 2)
         self.assertEqual(result.stderr.count('Did you mean "support"?'), 1)
         self.assertEqual(self.on_ranks(2, "rnu").stderr.count('Did you mean "run"?'), 1)
+        self.assertEqual(self.on_ranks(3, "run", self.case, "-t", "5000").stderr.count("5000 threads are not possible"), 1)
+        self.assertEqual(self.on_ranks(3, "run", "--help").stdout.count("Run a case"), 1)
+        self.assertIn("leave out mpiexec", self.on_ranks(2, "verify", self.case).stderr)
 
     def test_what_only_one_rank_sees_ends_all(self):
         """A formula that is no number on the particles of one end."""
@@ -121,6 +125,19 @@ class Errors(RanksTest):
         self.assertEqual(result.returncode, 2, result.stderr)
         self.assertEqual(result.stderr.count("not a finite"), 1)
         self.assertFalse((self.folder / "runs").exists())
+
+    def test_a_formula_that_fails_later_on_one_end_ends_all(self):
+        late = CASE.replace('region = "left"\nvelocity = [0, 0]', 'region = "left"\nvelocity = ["sqrt(0.005 - t)", 0]')
+        result = self.on_ranks(3, "run", self.write("late.toml", late), "-o", "late", *BLOCKS)
+        self.assertEqual(result.returncode, 3, result.stdout + result.stderr)
+        self.assertEqual(result.stderr.count("not a finite number"), 1, result.stderr)
+        self.assertEqual(self.summary("late")["status"], "unstable")
+
+    def test_another_block_size_cannot_go_on(self):
+        self.succeed("run", self.case, "-o", "out", *BLOCKS)
+        result = self.on_ranks(2, "resume", "out", "--set", "solver.block_size=32", "--set", "solver.end_time=0.02")
+        self.assertEqual(result.returncode, 2)
+        self.assertEqual(result.stderr.count("another [solver] block_size"), 1, result.stderr)
 
     def test_an_unstable_state_is_told_once(self):
         bad = CASE.replace("end_time = 0.01", "end_time = 0.01\ntime_step = 2e-4")

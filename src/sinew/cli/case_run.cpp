@@ -51,7 +51,8 @@ void CaseRun::resume(const Checkpoint& checkpoint) {
   simulation.restore(state);
   std::optional<PvdSeries> series;
   control.comm.on_root([&] { write_atomically(folder.resolved_case(), case_text); });
-  control.comm.together([&] { series = PvdSeries::resume(folder.series(), checkpoint.time, control.comm.root()); });
+  control.comm.together([&] { series = PvdSeries::resume(folder.series(), checkpoint.time); });
+  control.comm.on_root([&] { series->rewrite(); });
   frames.emplace(folder, std::move(*series), real_of(c.output), control.comm);
   recorder.resume(checkpoint.numbers);
   last_frame_step = static_cast<long>(checkpoint.numbers.at("run.last_frame_step"));

@@ -152,8 +152,13 @@ void check_first(const CLI::App& app, int count, const char* const* arguments) {
     throw CaseError(unknown_name_message(is_option ? "option" : "command", first, known));
 }
 
+struct Parsed {
+  std::function<int()> action;
+  bool help = false;  ///< or version
+};
+
 /// What the words mean: fills the values and returns what is to be done. Throws CaseError.
-std::function<int()> parse(CLI::App& app, Arguments& values, int count, const char* const* arguments) {
+Parsed parse(CLI::App& app, Arguments& values, int count, const char* const* arguments) {
   app.set_version_flag("--version", version_text());
   app.require_subcommand(1);
   Actions actions;
@@ -166,35 +171,35 @@ std::function<int()> parse(CLI::App& app, Arguments& values, int count, const ch
   try {
     app.parse(count, arguments);
   } catch (const CLI::Success& success) {
-    return [&app, success] { return app.exit(success); };
+    return {[&app, success] { return app.exit(success); }, true};
   } catch (const CLI::ParseError& error) {
     for (const CLI::App* verb : app.get_subcommands()) throw CaseError(message_of(*verb, error));
     throw CaseError(error.what());
   }
-  return actions.at(app.get_subcommands().front());
+  return {actions.at(app.get_subcommands().front())};
 }
 
 int parse_and_run(int count, const char* const* arguments) {
   const Comm comm = Comm::world();
   CLI::App app{"Solids in large deformation with smoothed particle hydrodynamics", "sinew"};
   Arguments values;
-  std::function<int()> action;
-  comm.together([&] { action = parse(app, values, count, arguments); });
-  const bool shared = app.got_subcommand("run") || app.got_subcommand("resume");
+  Parsed parsed;
+  comm.together([&] { parsed = parse(app, values, count, arguments); });
+  const bool shared = !parsed.help && (app.got_subcommand("run") || app.got_subcommand("resume"));
   const int ranks = app.got_subcommand("resume") ? values.resume.ranks : values.run.ranks;
   if (shared && ranks > 1 && !Comm::launched()) return launch_ranks(ranks, without_ranks({arguments + 1, arguments + count}));
   int code = done;
   if (shared)
-    code = action();
+    code = parsed.action();
   else
-    comm.on_root([&] { code = action(); });
+    comm.on_root([&] { code = parsed.action(); });
   return code;
 }
 
 /// Says what went wrong, once. What only one rank knows ends the others too.
-int fail(ExitCode code, const std::string& message) {
+int fail(ExitCode code, const std::exception& error, const std::string& message) {
   const Comm comm = Comm::world();
-  const bool alone_with_it = !comm.alone() && !Comm::error_is_common();
+  const bool alone_with_it = !comm.alone() && dynamic_cast<const CommonError*>(&error) == nullptr;
   if (comm.root() || alone_with_it) std::fputs((message + '\n').c_str(), stderr);
   if (alone_with_it) Comm::abort(code);
   return code;
@@ -204,11 +209,11 @@ int run_guarded(int count, const char* const* arguments) {
   try {
     return parse_and_run(count, arguments);
   } catch (const CaseError& error) {
-    return fail(wrong_input, error.what());
+    return fail(wrong_input, error, error.what());
   } catch (const SimulationError& error) {
-    return fail(simulation_failed, error.what());
+    return fail(simulation_failed, error, error.what());
   } catch (const std::exception& error) {
-    return fail(internal_error, std::string("internal error: ") + error.what() + "\nPlease report it, with the case.");
+    return fail(internal_error, error, std::string("internal error: ") + error.what() + "\nPlease report it, with the case.");
   }
 }
 

@@ -66,15 +66,15 @@ void FrameWriter::drain() {
 /// Lets those frames appear that all ranks have written.
 void FrameWriter::list_complete() {
   if (comm.alone()) return;
-  const std::size_t here = [this] {
+  const std::vector<double> here = [this] {
     const std::lock_guard lock(mutex);
-    return times.size();
+    return times;
   }();
-  const auto everywhere = static_cast<long>(-comm.maximum(-static_cast<double>(here)));
-  comm.on_root([&] {
-    for (long k = 0; k < everywhere; ++k) {
+  const auto everywhere = static_cast<long>(-comm.maximum(-static_cast<double>(here.size())));
+  together([&] {
+    for (long k = 0; comm.root() && k < everywhere; ++k) {
       PartFile::appear(folder.frame(listed + k));
-      series.add(times[k], RunFolder::frame_name(listed + k));
+      series.add(here[k], RunFolder::frame_name(listed + k));
     }
   });
   listed += everywhere;

@@ -20,12 +20,11 @@ volatile std::sig_atomic_t interruptions = 0;
 extern "C" void pass_on(int) {
   const int before = interruptions;
   interruptions = before + 1;
-  kill(launcher, before == 0 ? SIGUSR1 : SIGTERM);
+  if (launcher > 0) kill(launcher, before == 0 ? SIGUSR1 : SIGTERM);
 }
 
 std::vector<std::string> command(int ranks, const std::vector<std::string>& arguments) {
-  std::vector<std::string> all{"mpiexec", "--quiet", "-n", std::to_string(ranks), "--bind-to", "none"};
-  if (ranks > sysconf(_SC_NPROCESSORS_ONLN)) all.emplace_back("--oversubscribe");
+  std::vector<std::string> all{"mpiexec", "--quiet", "-n", std::to_string(ranks), "--bind-to", "none", "--oversubscribe"};
   all.push_back(std::filesystem::read_symlink("/proc/self/exe").string());
   all.insert(all.end(), arguments.begin(), arguments.end());
   return all;
@@ -62,10 +61,10 @@ std::vector<std::string> without_ranks(const std::vector<std::string>& arguments
 
 int launch_ranks(int ranks, const std::vector<std::string>& arguments) {
   const std::vector<std::string> words = command(ranks, arguments);
+  for (const int signal : {SIGINT, SIGTERM, SIGUSR1}) std::signal(signal, pass_on);
   launcher = fork();
   if (launcher < 0) throw std::runtime_error("cannot start a process");
   if (launcher == 0) become(words);
-  for (const int signal : {SIGINT, SIGTERM, SIGUSR1}) std::signal(signal, pass_on);
   int status = 0;
   while (waitpid(launcher, &status, 0) < 0 && errno == EINTR) {
   }

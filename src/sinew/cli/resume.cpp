@@ -31,6 +31,7 @@ void check_checkpoint(const Case& c, const Checkpoint& checkpoint) {
 }  // namespace
 
 int resume_verb(const ResumeOptions& options) {
+  listen_for_interruption();
   const Comm comm = Comm::world();
   const int threads = use_threads(options, comm);
   const RunFolder folder = RunFolder::at(options.folder);
@@ -42,7 +43,6 @@ int resume_verb(const ResumeOptions& options) {
   });
   const Checkpoint checkpoint = read_checkpoint(folder.checkpoint(), comm);
   comm.together([&] { check_checkpoint(c, checkpoint); });
-  listen_for_interruption();
   const std::unique_ptr<Simulation> simulation = Simulation::build(c, comm);
   const auto reporter = make_reporter(comm, folder, options.quiet);
   CaseRun run(c, *simulation, folder, *reporter, {"", Tier::full, threads, comm});

@@ -51,6 +51,7 @@ std::unique_ptr<Reporter> make_reporter(const Comm& comm, const RunFolder& folde
 }
 
 int run_verb(const RunOptions& options) {
+  listen_for_interruption();
   const Comm comm = Comm::world();
   const int threads = use_threads(options, comm);
   CaseInput input;
@@ -59,7 +60,6 @@ int run_verb(const RunOptions& options) {
     input = read_case_input(options.case_path, options.overrides);
     c = make_case(input.root, input.folder);
   });
-  listen_for_interruption();
   RunPlan plan{options.folder.empty() ? "runs/" + c.general.name : options.folder, options.force, options.quiet, "", {}};
   comm.on_root([&] { check_picture(options.picture, plan.folder); });
   plan.control = {options.picture, options.tier, threads, comm};

@@ -6,8 +6,9 @@
 
 namespace sinew {
 
-/// Sets the number of threads of this rank and returns it. 0: what OMP_NUM_THREADS says, or the cores that this rank may use; those that all ranks of a
-/// machine may use are shared. Throws CaseError for a number that is not possible, and if -n asks for other ranks than there are.
+/// Sets the number of threads of this rank and returns it. 0: what OMP_NUM_THREADS says, or the cores that this rank may use; those that several ranks
+/// may use are shared. Throws CaseError for a number that is not possible, if -n asks for other ranks than there are, and for ranks that do not know of each
+/// other. Collective.
 int use_threads(const ComputeOptions& options, const Comm& comm);
 
 /// Lets idle threads sleep instead of spin, unless the user chose otherwise. The OpenMP runtime reads that once, when the program is loaded, so

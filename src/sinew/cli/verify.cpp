@@ -104,6 +104,8 @@ class VerifyRuns {
 
 int verify_verb(const VerifyOptions& options) {
   const Clock::time_point start = Clock::now();
+  if (Comm::launched())
+    throw CaseError("verify starts processes of its own: leave out mpiexec, and choose with -j how many cases run at a time.");
   const int all_threads = use_threads(options, Comm());
   if (options.jobs < 1) throw CaseError("-j: at least 1 case has to run at a time, found " + std::to_string(options.jobs));
   const int threads = options.threads > 0 ? options.threads : std::max(1, all_threads / options.jobs);

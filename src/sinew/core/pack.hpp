@@ -104,7 +104,7 @@ SINEW_INLINE Pack sqrt(Pack a) { return Pack(registers::square_root(a.v)); }
 /// coefficients of the FreeBSD mathematical library (e_log.c).
 SINEW_INLINE Pack log(Pack x) {
   using namespace registers;
-  const Integers bits = bits_of(select(x > Pack(0.0), x, Pack(1.0)).v);  // others are replaced below
+  const Integers bits = bits_of(select(x > Pack(0.0), x, Pack(1.0)).v);   // others are replaced below
   const Integers exponent = (bits - repeat(0x3fe6a09e00000000LL)) >> 52;  // so that m falls around 1
   const Pack m(doubles_of(bits - (exponent << 52)));
   const Pack k(to_doubles(exponent));

@@ -38,16 +38,28 @@ void PartFile::write(std::string_view text) {
   }
 }
 
+namespace {
+/// 0 once the call has not been interrupted by a signal.
+template <class Call>
+int insist(Call&& call) {
+  int result = 0;
+  do result = call();
+  while (result != 0 && errno == EINTR);
+  return result;
+}
+}  // namespace
+
 void PartFile::reserve(std::size_t bytes) {
-  if (bytes > 0 && ::fallocate(file_, 0, 0, static_cast<off_t>(bytes)) != 0 && errno != EOPNOTSUPP && errno != ENOSYS) fail();
+  if (bytes == 0 || insist([&] { return ::fallocate(file_, 0, 0, static_cast<off_t>(bytes)); }) == 0) return;
+  if (errno != EOPNOTSUPP && errno != ENOSYS) fail();
 }
 
 void PartFile::cut(std::size_t bytes) {
-  if (::ftruncate(file_, static_cast<off_t>(bytes)) != 0) fail();
+  if (insist([&] { return ::ftruncate(file_, static_cast<off_t>(bytes)); }) != 0) fail();
 }
 
 void PartFile::synchronize() {
-  if (::fsync(file_) != 0) fail();
+  if (insist([&] { return ::fsync(file_); }) != 0) fail();
 }
 
 void PartFile::leave() {

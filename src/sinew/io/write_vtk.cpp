@@ -9,6 +9,7 @@
 #include <sinew/io/vtk_array.hpp>
 #include <sinew/io/write_vtk.hpp>
 #include <stdexcept>
+#include <utility>
 
 namespace sinew {
 
@@ -48,6 +49,18 @@ class VtuWriter {
         real_(real) {}
 
   void write() {
+    if (snapshot_
+            .range) {  // with its whole length from the beginning, no writer takes what is behind its part for the end of the file
+      measuring_ = true;
+      content();
+      file_.cut(std::exchange(place_, 0));
+      measuring_ = false;
+    }
+    content();
+  }
+
+ private:
+  void content() {
     text(
         "<?xml version=\"1.0\"?>\n"
         "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n"
@@ -62,13 +75,11 @@ class VtuWriter {
     points();
     cells();
     text("    </Piece>\n  </UnstructuredGrid>\n</VTKFile>\n");
-    if (range_.leads) file_.cut(place_);
   }
 
- private:
   void text(std::string_view content) {
     file_.seek(place_);
-    if (range_.leads) file_.write(content);
+    if (range_.leads && !measuring_) file_.write(content);
     place_ += content.size();
   }
 
@@ -79,9 +90,11 @@ class VtuWriter {
     const std::string size = components > 1 ? fmt::format(" NumberOfComponents=\"{}\"", components) : "";
     text(fmt::format("        <DataArray type=\"{}\" Name=\"{}\"{} format=\"binary\">\n", vtk_type<T>, xml_escape(name), size));
     const std::size_t row = components * sizeof(T), bytes = range_.total * row;
-    VtkArrayStream stream(file_, bytes, place_, {range_.first * row, (range_.first + range_.count) * row, range_.leads});
-    put(stream);
-    stream.end();
+    if (!measuring_) {
+      VtkArrayStream stream(file_, bytes, place_, {range_.first * row, (range_.first + range_.count) * row, range_.leads});
+      put(stream);
+      stream.end();
+    }
     place_ += VtkArrayStream::length(bytes);
     text("\n        </DataArray>\n");
   }
@@ -136,6 +149,7 @@ class VtuWriter {
   const UserRange& range_;
   VtkReal real_;
   std::size_t place_ = 0;  ///< the same for all writers
+  bool measuring_ = false;
 };
 
 /// The text between `before` and the next quotation mark.
@@ -164,7 +178,7 @@ void write_vtu(const std::string& path, const Snapshot& snapshot, VtkReal real) 
 
 PvdSeries::PvdSeries(const std::string& path_) : path(path_) {}
 
-PvdSeries PvdSeries::resume(const std::string& path, double keep_until, bool rewrite) {
+PvdSeries PvdSeries::resume(const std::string& path, double keep_until) {
   const std::string content = read_text(path);
   std::string_view text = content;
   if (text.find("<VTKFile type=\"Collection\"") == text.npos)
@@ -178,7 +192,6 @@ PvdSeries PvdSeries::resume(const std::string& path, double keep_until, bool rew
       throw CaseError(path + ": a frame without a time or a file: " + std::string(element));
     if (time <= keep_until) series.frames.push_back({time, xml_unescape(*file)});
   }
-  if (rewrite) series.rewrite();
   return series;
 }
 

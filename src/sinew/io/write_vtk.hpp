@@ -25,12 +25,12 @@ class PvdSeries {
   explicit PvdSeries(const std::string& path);
   /// Goes on with the series at `path` after its frames with a time of at most `keep_until`. Throws CaseError if it is not
   /// there or not ours.
-  /// `rewrite`: the file loses the later frames; else it is only read.
-  static PvdSeries resume(const std::string& path, double keep_until, bool rewrite = true);
+  static PvdSeries resume(const std::string& path, double keep_until);
 
   /// `relative_file`: as seen from the folder of the .pvd. A frame of the same file is replaced.
   void add(double time, const std::string& relative_file);
   std::size_t size() const { return frames.size(); }
+  void rewrite() const;  ///< the file as it is now: after a resume, without the later frames
 
  private:
   struct Frame {
@@ -39,8 +39,6 @@ class PvdSeries {
   };
   std::string path;
   std::vector<Frame> frames;
-
-  void rewrite() const;
 };
 
 }  // namespace sinew

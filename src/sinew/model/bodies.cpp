@@ -23,6 +23,13 @@ double bytes_per_particle(const Case& c) {
   return 600.0 + neighbors * (4.0 + 8.0 * doubles_a_pair);
 }
 
+/// What all ranks of a machine need for one particle of the case. Each sets up the whole before it keeps its share.
+double bytes_on_machine(const Case& c, const Comm& comm) {
+  constexpr double set_up = 200.0;
+  if (comm.alone()) return bytes_per_particle(c);
+  return comm.node_size() * (set_up + bytes_per_particle(c) / comm.size());
+}
+
 constexpr double memory_share = 0.9;  // of the machine's memory; the system needs the rest
 
 /// Points of a file may repeat; two at one place have no distance to weigh.
@@ -66,11 +73,11 @@ double machine_memory() {
   return bytes;
 }
 
-std::vector<GeneratedBody> generate_bodies(const Case& c) {
+std::vector<GeneratedBody> generate_bodies(const Case& c, const Comm& comm) {
   std::vector<GeneratedBody> bodies;
   double particles = 0.0;
   for (const BodyCase& body : c.bodies) {
-    const double most = std::min(2e9, memory_share * machine_memory() / bytes_per_particle(c) - particles);
+    const double most = std::min(2e9, memory_share * machine_memory() / bytes_on_machine(c, comm) - particles);
     const GenerateOptions options{c.general.dimension, c.folder, body.geometry_place, most};
     GeneratedBody made{std::visit([&](const auto& g) { return g.generate(options); }, body.geometry), 0.0};
     if (made.points.size() == 0)

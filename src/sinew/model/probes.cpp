@@ -74,8 +74,8 @@ double Probes<D>::over_particles(const Probe& probe, const ProbedState<D>& state
       most = std::max(most, value);
     }
   }
-  if (probe.c.reduce == "min") return -state.comm.maximum(-least);
-  if (probe.c.reduce == "max") return state.comm.maximum(most);
+  if (probe.c.reduce == "min") return -state.comm.maximum(-least) + 0.0;  // one zero, whichever came first
+  if (probe.c.reduce == "max") return state.comm.maximum(most) + 0.0;
   const double sum = sum_over_blocks(state.comm, state.particles.block_numbers(), sums, 1)[0];
   return probe.c.reduce == "sum" ? sum : sum / static_cast<double>(probe.particles);
 }

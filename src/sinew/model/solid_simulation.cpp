@@ -32,7 +32,7 @@ TotalLagrangianOptions options_of(const Case& c) {
 
 std::vector<GeneratedBody> bodies_of(const Case& c, const Comm& comm) {
   std::vector<GeneratedBody> bodies;
-  comm.together([&] { bodies = generate_bodies(c); });
+  comm.together([&] { bodies = generate_bodies(c, comm); });
   return bodies;
 }
 
@@ -74,17 +74,19 @@ SolidSimulation<D>::SolidSimulation(const Case& c, const Comm& comm, const std::
 template <int D>
 void SolidSimulation<D>::start() {
   motion_.remember(particles_);
-  motion_.move(particles_, 0.0, 0.0);
+  guard([&] { motion_.move(particles_, 0.0, 0.0); });
   update_forces(0.0);
   initial_energy_ = energies().total();
   initial_gravity_work_ = totals().gravity_work;
   first_time_step_ = stable_time_step();
-  if (!(summary_.smallest_jacobian > 0.0))
+  comm_.together([&] {
+    if (summary_.smallest_jacobian > 0.0) return;
     throw CaseError(
         fmt::format("the initial state turns particles inside out (smallest det F = {:.3g}). Check [[initial]] displacement and "
                     "stretch, and the "
                     "displacements of [[boundary]] at time 0.",
                     summary_.smallest_jacobian));
+  });
 }
 
 template <int D>
@@ -96,7 +98,7 @@ void SolidSimulation<D>::step(double most) {
   timer_.mark("boundary");
   kick_and_drift(particles_, dt, case_.solver.damping);
   timer_.mark("drift");
-  motion_.move(particles_, time_, dt);
+  guard([&] { motion_.move(particles_, time_, dt); });
   time_ += dt;
   ++steps_;
   update_forces(dt);
@@ -105,25 +107,40 @@ void SolidSimulation<D>::step(double most) {
 
 template <int D>
 void SolidSimulation<D>::update_forces(double dt) {
-  loads_.add(particles_, time_, dt, forces_);
+  guard([&] { loads_.add(particles_, time_, dt, forces_); });
   timer_.mark("boundary");
   RecordedState* const recorded = std::exchange(record_expected_, false) ? &room_for_record() : nullptr;
   summary_ = solid_.internal_forces(particles_, forces_,
                                     AccelerateAndKick<D>{particles_, forces_, gravity_, dt, case_.solver.damping}, recorded);
   if (recorded) recorded_step_ = steps_;
   timer_.mark("forces and kick");
-  motion_.hold(particles_, time_, dt, case_.solver.damping);
+  guard([&] { motion_.hold(particles_, time_, dt, case_.solver.damping); });
   if (case_.solver.damping > 0.0) count_dissipation(dt);
   timer_.mark("boundary");
   share_limits();
   timer_.mark("time step");
 }
 
+/// Formulas of conditions may fail where they are evaluated, on the ranks that have those particles. These go on to where all can be told.
+template <int D>
+template <class Action>
+void SolidSimulation<D>::guard(Action&& action) {
+  try {
+    action();
+  } catch (...) {
+    if (!error_) error_ = std::current_exception();
+  }
+}
+
 /// What steers the run is the largest of all ranks.
 template <int D>
 void SolidSimulation<D>::share_limits() {
-  double limits[] = {summary_.finite ? 0.0 : 1.0, -summary_.smallest_jacobian, summary_.largest_rate2};
+  double limits[] = {summary_.finite ? 0.0 : 1.0, -summary_.smallest_jacobian, summary_.largest_rate2, error_ ? 1.0 : 0.0};
   comm_.maximum(limits);
+  if (limits[3] > 0.0)
+    comm_.together([&] {
+      if (error_) std::rethrow_exception(std::exchange(error_, nullptr));
+    });
   summary_.finite = limits[0] == 0.0;
   summary_.smallest_jacobian = -limits[1];
   summary_.largest_rate2 = limits[2];
@@ -173,7 +190,7 @@ const StoredEnergy& SolidSimulation<D>::stored_energy() {
 template <int D>
 RecordedState& SolidSimulation<D>::room_for_record() {
   if (!record_) record_ = std::make_unique<RecordedState>(particles_.slots);
-  if (wants_hourglass_error_ && record_->hourglass_error.size() == 0) {
+  if (wants_hourglass_error_ && record_->hourglass_error.size() != static_cast<std::size_t>(particles_.slots)) {
     record_->hourglass_error = AlignedArray<double>(particles_.slots);
     recorded_step_ = -1;
   }

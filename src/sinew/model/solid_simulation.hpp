@@ -1,6 +1,7 @@
 #pragma once
 /// A total-Lagrangian explicit run in D dimensions.
 
+#include <exception>
 #include <limits>
 #include <sinew/core/timer.hpp>
 #include <sinew/model/conditions.hpp>
@@ -60,6 +61,8 @@ class SolidSimulation final : public Simulation {
   const StoredEnergy& stored_energy();
   void describe(Snapshot& snapshot) const;
   void share_limits();
+  template <class Action>
+  void guard(Action&& action);
   void collect_bodies(const std::vector<GeneratedBody>& bodies);
   void collect_ranks();
   void collect_facts(const std::vector<GeneratedBody>& bodies, double setup_seconds);
@@ -87,6 +90,7 @@ class SolidSimulation final : public Simulation {
   std::vector<double> kinetic_;                        ///< scratch
   double initial_energy_ = 0.0, initial_gravity_work_ = 0.0;
   std::unique_ptr<RecordedState> record_;
+  std::exception_ptr error_;  ///< of this rank, for share_limits() to tell all
   bool record_expected_ = false, wants_hourglass_error_ = false;
   Totals totals_;
   StoredEnergy stored_;

@@ -123,6 +123,8 @@ template <int D>
 void SolidSimulation<D>::restore(const SavedState& s) {
   const bool same = in_users_order(particles_.position, order_).rows == s.fields.at("reference_position").rows;
   comm_.together([&] {
+    if (s.arrays.at("blocks").size() != 4 * static_cast<std::size_t>(facts_.blocks))
+      throw CaseError("the checkpoint was written with another [solver] block_size. Resume with the same.");
     if (!same)
       throw CaseError("the checkpoint belongs to other particles than the case makes now. Resume with the case that wrote it.");
   });

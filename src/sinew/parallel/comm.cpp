@@ -17,7 +17,10 @@ struct Comm::Group {
 
 namespace {
 
-bool common_error = false;
+template <class Error>
+struct Common : Error, CommonError {
+  using Error::Error;
+};
 
 /// Where the values of each rank begin, and their number at the end.
 std::vector<int> first_of(const std::vector<int>& counts) {
@@ -217,8 +220,6 @@ void Comm::broadcast(std::vector<double>& values, int from) const {
   if (group_) broadcast_values(group_->world, MPI_DOUBLE, values, from);
 }
 
-bool Comm::error_is_common() { return common_error; }
-
 void Comm::agree(const std::exception_ptr& error) const {
   if (!group_) {
     if (error) std::rethrow_exception(error);
@@ -230,10 +231,9 @@ void Comm::agree(const std::exception_ptr& error) const {
   auto [kind, text] = first == group_->rank ? describe(error) : std::pair<int, std::string>{};
   MPI_Bcast(&kind, 1, MPI_INT, first, group_->world);
   broadcast(text, first);
-  common_error = true;
-  if (kind == case_error) throw CaseError(text);
-  if (kind == simulation_error) throw SimulationError(text);
-  throw std::runtime_error(text);
+  if (kind == case_error) throw Common<CaseError>(text);
+  if (kind == simulation_error) throw Common<SimulationError>(text);
+  throw Common<std::runtime_error>(text);
 }
 
 std::vector<double> gather_over_blocks(const Comm& comm, std::span<const int> blocks, std::span<const double> partial,

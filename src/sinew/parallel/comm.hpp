@@ -12,6 +12,11 @@
 
 namespace sinew {
 
+/// Base of errors that all ranks have thrown together.
+struct CommonError {
+  virtual ~CommonError() = default;
+};
+
 /// A handle; copies mean the same ranks. Every call but rank(), size(), root() and node_size() is collective: all ranks make it, in the same order.
 class Comm {
  public:
@@ -68,7 +73,7 @@ class Comm {
   void broadcast(std::vector<double>& values, int from = 0) const;
 
   /// Runs the action on every rank; if it throws on any, all throw the error of the first of these ranks. CaseError and SimulationError
-  /// keep their kind, others become std::runtime_error.
+  /// keep their kind, others become std::runtime_error; all are CommonError besides.
   template <class Action>
   void together(Action&& action) const {
     std::exception_ptr error;
@@ -86,8 +91,6 @@ class Comm {
       if (root()) action();
     });
   }
-  /// Whether the error that is on its way was thrown on all ranks.
-  static bool error_is_common();
 
  private:
   struct Group;

@@ -32,7 +32,7 @@ std::map<int, int> ghosts_of(const Arrangement<D>& all, const BlockRange& block,
 /// Weights as Scotch takes them: their sum has to fit an int.
 std::vector<SCOTCH_Num> scaled(const std::vector<long>& weights) {
   const long total = std::accumulate(weights.begin(), weights.end(), 0L);
-  const long unit = std::max(1L, total / (1L << 30));
+  const long unit = total / (1L << 29) + 1;
   std::vector<SCOTCH_Num> small;
   for (const long weight : weights) small.push_back(static_cast<SCOTCH_Num>(std::max(1L, weight / unit)));
   return small;

@@ -107,6 +107,7 @@ TEST(PvdSeries, ResumeKeepsFramesUpToATime) {
   for (int i = 0; i < 5; ++i) series.add(0.1 * i, "f" + std::to_string(i) + " & co.vtu");
   PvdSeries resumed = PvdSeries::resume(path, 0.1 * 2);
   EXPECT_EQ(resumed.size(), 3u);
+  resumed.rewrite();
   EXPECT_EQ(content(path).find("f3"), std::string::npos);
   resumed.add(0.25, "f2 & co.vtu");  // the same file again: replaced
   EXPECT_EQ(resumed.size(), 3u);
