@@ -95,12 +95,18 @@ void CaseRun::march() {
   }
 }
 
+/// Whether a frame or a row with F or stresses follows the step.
+bool CaseRun::record_follows(double now, double next) const {
+  return (frames_need_record && multiple_reached(now, next, c.output.every)) ||
+         (simulation.probes_need_record() && recorder.is_due(now, next, simulation.steps() + 1));
+}
+
 void CaseRun::step() {
   const Clock::time_point start = Clock::now();
   try {
     const double now = simulation.time(), most = c.solver.end_time - now;
     const double next = now + std::min(simulation.stable_time_step(), most);
-    if (frames_need_record && multiple_reached(now, next, c.output.every)) simulation.expect_record();
+    if (record_follows(now, next)) simulation.expect_record();
     simulation.step(most);
   } catch (const SimulationError& error) {
     status = "unstable";

@@ -48,6 +48,7 @@ class CaseRun {
 
   void march();
   void step();
+  bool record_follows(double now, double next) const;
   void write_due(double time_before);
   void write_frame();  ///< hands the state to the writer of frames
   void write_state();  ///< checkpoint.h5, when all frames before it are written

@@ -51,12 +51,14 @@ void Recorder::begin() {
   sample(0.0);
 }
 
+bool Recorder::is_due(double time_before, double time, long step) const {
+  return c.output.history_every > 0.0 ? multiple_reached(time_before, time, c.output.history_every) : step % stride == 0;
+}
+
 void Recorder::after_step(double time_before) {
   const double now = simulation.time();
-  const bool due = c.output.history_every > 0.0 ? multiple_reached(time_before, now, c.output.history_every)
-                                                : simulation.steps() % stride == 0;
   last_time_step = now - time_before;
-  if (due) sample(last_time_step);
+  if (is_due(time_before, now, simulation.steps())) sample(last_time_step);
   if (c.output.history_every == 0.0 && rows.size() >= most_rows) thin();
 }
 

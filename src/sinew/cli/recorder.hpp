@@ -21,10 +21,11 @@ class Recorder {
 
   Recorder(const Case& c, Simulation& simulation, const RunFolder& folder, const Comm& comm);
 
-  void begin();                                             ///< a new file, with the state as it is as the first row
-  void resume(const std::map<std::string, double>& saved);  ///< goes on with the file after the time of the simulation
-  void after_step(double time_before);                      ///< a row if one is due
-  void at_end();                                            ///< a row if the last one is older
+  void begin();                                                   ///< a new file, with the state as it is as the first row
+  void resume(const std::map<std::string, double>& saved);        ///< goes on with the file after the time of the simulation
+  bool is_due(double time_before, double time, long step) const;  ///< whether that step is followed by a row
+  void after_step(double time_before);                            ///< a row if one is due
+  void at_end();                                                  ///< a row if the last one is older
   void flush();
   void save(std::map<std::string, double>& numbers) const;
 

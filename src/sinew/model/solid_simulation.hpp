@@ -34,6 +34,7 @@ class SolidSimulation final : public Simulation {
 
   Energies energies() override;
   Momenta momenta() override { return totals().momenta; }
+  bool probes_need_record() const override { return probes_.need_record(); }
   std::vector<double> probe_values() override;
   std::vector<std::string> probe_units() const override { return probes_.units(); }
   void fill_snapshot(const std::vector<std::string>& fields, Snapshot& snapshot) override;

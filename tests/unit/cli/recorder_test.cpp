@@ -21,6 +21,7 @@ class FakeSimulation final : public Simulation {
   void expect_record() override {}
   Energies energies() override { return {1.0, 0.5, 0.0, 0.0, 0.0, 1.0}; }
   Momenta momenta() override { return {}; }
+  bool probes_need_record() const override { return false; }
   std::vector<double> probe_values() override { return {time() * time()}; }
   std::vector<std::string> probe_units() const override { return {"m"}; }
   void fill_snapshot(const std::vector<std::string>&, Snapshot&) override {}
