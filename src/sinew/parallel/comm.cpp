@@ -37,16 +37,10 @@ std::vector<int> counts_of_all(MPI_Comm world, int size, std::size_t count) {
 }
 
 template <class T>
-std::vector<T> gather_values(MPI_Comm world, int size, MPI_Datatype type, std::span<const T> values, bool everywhere) {
+std::vector<T> gather_values(MPI_Comm world, int size, MPI_Datatype type, std::span<const T> values) {
   const std::vector<int> counts = counts_of_all(world, size, values.size()), first = first_of(counts);
-  int rank = 0;
-  MPI_Comm_rank(world, &rank);
-  std::vector<T> all(everywhere || rank == 0 ? first.back() : 0);
-  const int own = static_cast<int>(values.size());
-  if (everywhere)
-    MPI_Allgatherv(values.data(), own, type, all.data(), counts.data(), first.data(), type, world);
-  else
-    MPI_Gatherv(values.data(), own, type, all.data(), counts.data(), first.data(), type, 0, world);
+  std::vector<T> all(first.back());
+  MPI_Allgatherv(values.data(), static_cast<int>(values.size()), type, all.data(), counts.data(), first.data(), type, world);
   return all;
 }
 
@@ -145,17 +139,12 @@ std::uint64_t Comm::sum(std::uint64_t value) const {
 
 std::vector<double> Comm::gather_all(std::span<const double> values) const {
   if (!group_) return {values.begin(), values.end()};
-  return gather_values(group_->world, group_->size, MPI_DOUBLE, values, true);
+  return gather_values(group_->world, group_->size, MPI_DOUBLE, values);
 }
 
 std::vector<int> Comm::gather_all(std::span<const int> values) const {
   if (!group_) return {values.begin(), values.end()};
-  return gather_values(group_->world, group_->size, MPI_INT, values, true);
-}
-
-std::vector<int> Comm::gather(std::span<const int> values) const {
-  if (!group_) return {values.begin(), values.end()};
-  return gather_values(group_->world, group_->size, MPI_INT, values, false);
+  return gather_values(group_->world, group_->size, MPI_INT, values);
 }
 
 std::vector<std::vector<int>> Comm::exchange(const std::vector<std::vector<int>>& to) const {

@@ -56,10 +56,9 @@ class Comm {
   std::uint64_t sum(std::uint64_t value) const;
   bool any(bool value) const { return sum(value ? 1L : 0L) > 0; }
 
-  /// What all ranks bring, rank after rank, on every rank or on the root (nothing elsewhere).
+  /// What all ranks bring, rank after rank.
   std::vector<double> gather_all(std::span<const double> values) const;
   std::vector<int> gather_all(std::span<const int> values) const;
-  std::vector<int> gather(std::span<const int> values) const;
   /// to[r] goes to rank r; returns what came from each.
   std::vector<std::vector<int>> exchange(const std::vector<std::vector<int>>& to) const;
   /// Rows of `width` doubles: those of all ranks on the root, rank after rank.

@@ -21,8 +21,13 @@ struct Loads {
 
   explicit Loads(int ranks) : particles(ranks, 0), pairs(ranks, 0), copies(ranks, 0), sent(ranks, 0), neighbors(ranks) {}
 
-  void add_spills(const Blocks& blocks, const std::vector<int>& owner, std::vector<int>& copied_to) {
-    for (const Spill& spill : blocks.out) {
+  /// Rank by rank, so that a mark per particle is enough to count a copy once.
+  void add_spills(const Blocks& blocks, const std::vector<int>& owner, std::size_t slots) {
+    std::vector<Spill> by_rank = blocks.out;
+    std::stable_sort(by_rank.begin(), by_rank.end(),
+                     [&](const Spill& a, const Spill& b) { return owner[a.from] < owner[b.from]; });
+    std::vector<int> copied_to(slots, -1);
+    for (const Spill& spill : by_rank) {
       const int from = owner[spill.from], to = owner[spill.to];
       if (from == to) continue;
       sent[from] += places_of(blocks, spill);  // forces go to `to`, displacements come from there
@@ -65,14 +70,7 @@ RanksPlan plan_for(const BlockPairs<D>& pairs, int ranks) {
     loads.pairs[owner[block.number]] += graph.pairs[block.number];
     particles += block.end - block.begin;
   }
-  // rank by rank, so that a mark per particle is enough to count a copy once
-  Blocks by_rank;
-  by_rank.runs = blocks.runs;
-  by_rank.out = blocks.out;
-  std::stable_sort(by_rank.out.begin(), by_rank.out.end(),
-                   [&](const Spill& a, const Spill& b) { return owner[a.from] < owner[b.from]; });
-  std::vector<int> copied_to(pairs.neighbor_count.size(), -1);
-  loads.add_spills(by_rank, owner, copied_to);
+  loads.add_spills(blocks, owner, pairs.neighbor_count.size());
 
   RanksPlan plan;
   for (int r = 0; r < ranks; ++r) {
