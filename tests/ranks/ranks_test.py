@@ -191,6 +191,16 @@ class Errors(RanksTest):
         print(f"\n  a killed rank ended the job in {time.monotonic() - start:.1f} s")
         self.assert_same_end("killed", 2)
 
+    def test_a_killed_rank_is_told(self):
+        job = self.start(PROGRAM, "run", self.write("long.toml", LONG), "-o", "killed", "-n", "2", *BLOCKS)
+        self.wait_for_checkpoint("killed")
+        launcher = subprocess.run(["pgrep", "-P", str(job.pid)], capture_output=True, text=True, check=True).stdout.split()[0]
+        ranks = subprocess.run(["pgrep", "-P", launcher], capture_output=True, text=True, check=True).stdout.split()
+        os.kill(int(ranks[0]), signal.SIGKILL)
+        _, message = job.communicate(timeout=10)
+        self.assertEqual(job.returncode, 128 + signal.SIGKILL, message)
+        self.assertIn("one of the 2 ranks was ended by signal 9 (Killed)", message)
+
     def test_interruption_writes_a_checkpoint_on_all_ranks(self):
         job = self.start(PROGRAM, "run", self.write("long.toml", LONG), "-o", "stopped", "-n", "3", *BLOCKS)
         self.wait_for_checkpoint("stopped")

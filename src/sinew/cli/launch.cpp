@@ -2,8 +2,11 @@
 
 #include <cerrno>
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
+#include <sinew/cli/options.hpp>
 #include <sinew/core/error.hpp>
 #include <sys/prctl.h>
 #include <sys/wait.h>
@@ -73,6 +76,12 @@ int launch_ranks(int ranks, const std::vector<std::string>& arguments) {
     throw CaseError(
         "-n " + std::to_string(ranks) +
         ": mpiexec could not start the program. Install Open MPI (openmpi-bin), or leave out -n and use threads (-t).");
+  if (const int signal = code - 128; signal > 0 && code != interrupted && interruptions < 2)
+    std::fprintf(
+        stderr,
+        "one of the %d ranks was ended by signal %d (%s), and the run with it. sinew resume goes on from its last checkpoint, if "
+        "there is one ([output] checkpoint_every).\n",
+        ranks, signal, strsignal(signal));
   return code;
 }
 
