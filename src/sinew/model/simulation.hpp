@@ -88,7 +88,7 @@ class Simulation {
   // What follows costs about one step for a state when first asked; then it is kept until the next step.
   virtual Energies energies() = 0;
   virtual Momenta momenta() = 0;
-  virtual bool probes_need_record() const = 0;  ///< of F or stresses, see expect_record
+  virtual bool probes_need_record() const = 0;     ///< of F or stresses, see expect_record
   virtual std::vector<double> probe_values() = 0;  ///< of Case::probes, in order
   virtual std::vector<std::string> probe_units() const = 0;
   /// Into an empty snapshot, or one that this simulation filled before: its memory is used again, and what never changes (size, body,
