@@ -42,8 +42,7 @@ void print_plan(const Simulation& simulation, const std::vector<int>& ranks, dou
   }
   fmt::print(
       "counted from the decomposition; time: {:.3g} ns a pair, as timed here with the threads above for each rank, {:.2g} us a "
-      "message and "
-      "{:.3g} GB/s for each rank, nothing overlapped\n",
+      "message and {:.3g} GB/s for each rank, nothing overlapped\n",
       1e9 * seconds_a_pair, 1e6 * network.latency, 1e-9 * network.bandwidth);
   if (const int most = *std::max_element(ranks.begin(), ranks.end()); most > facts.blocks)
     fmt::print(

@@ -42,8 +42,7 @@ std::string ranks_text(const ModelFacts& facts) {
   if (r.ranks == 1) return "";
   return fmt::format(
       "{} ranks: at most {} particles each, {:.1f} % more pairs than the mean, {:.1f} % copies; a step sends {} in at most {} "
-      "messages "
-      "a rank\n",
+      "messages a rank\n",
       r.ranks, count_text(r.particles_most), 100.0 * r.pairs_imbalance, 100.0 * r.copies_share, bytes_text(r.bytes),
       r.messages_most);
 }

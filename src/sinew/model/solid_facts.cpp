@@ -80,7 +80,7 @@ void SolidSimulation<D>::collect_facts(const std::vector<GeneratedBody>& bodies,
                    list.blocks.slices(),
                    list.blocks.count(),
                    static_cast<long>(lattice.patterns.size()),
-                   static_cast<long>(particles_.bytes() + solid_.bytes() + forces_.bytes())};
+                   static_cast<long>(particles_.bytes() + solid_.bytes() + forces_.bytes() + order_.bytes())};
   comm_.sum(counts);
   facts_.particles = counts[0];
   facts_.pairs = counts[1];

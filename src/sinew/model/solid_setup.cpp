@@ -1,4 +1,5 @@
 #include <sinew/model/solid_setup.hpp>
+#include <sinew/parallel/decomposition.hpp>
 
 namespace sinew {
 
@@ -27,6 +28,15 @@ std::vector<double> support_radii(const Case& c, const Arrangement<D>& all, cons
 }
 
 double thickness_of(const Case& c) { return c.general.dimension == 3 ? 1.0 : c.general.thickness; }
+
+/// The graph of blocks; each rank searches the neighbors of an equal share.
+template <int D>
+BlockGraph graph_of(const Case& c, const Arrangement<D>& all, const Comm& comm) {
+  const std::vector<int> some = equal_share(static_cast<int>(all.blocks.size()), comm.rank(), comm.size());
+  PairList list;
+  comm.together([&] { list = build_pair_list(all, support_radii(c, all, some)); });
+  return block_graph(comm, all, some, list);
+}
 
 /// Rank of each block.
 template <int D>
@@ -70,14 +80,6 @@ SolidSetup<D> set_up_share(const Case& c, const Arrangement<D>& all, Regions reg
 }  // namespace
 
 template <int D>
-BlockGraph graph_of(const Case& c, const Arrangement<D>& all, const Comm& comm) {
-  const std::vector<int> some = equal_share(static_cast<int>(all.blocks.size()), comm.rank(), comm.size());
-  PairList list;
-  comm.together([&] { list = build_pair_list(all, support_radii(c, all, some)); });
-  return block_graph(comm, all, some, list);
-}
-
-template <int D>
 SolidSetup<D> set_up(const Case& c, const std::vector<GeneratedBody>& bodies, const TotalLagrangianOptions& options,
                      const Comm& comm) {
   Arrangement<D> all;
@@ -93,7 +95,5 @@ SolidSetup<D> set_up(const Case& c, const std::vector<GeneratedBody>& bodies, co
 
 template SolidSetup<2> set_up<2>(const Case&, const std::vector<GeneratedBody>&, const TotalLagrangianOptions&, const Comm&);
 template SolidSetup<3> set_up<3>(const Case&, const std::vector<GeneratedBody>&, const TotalLagrangianOptions&, const Comm&);
-template BlockGraph graph_of<2>(const Case&, const Arrangement<2>&, const Comm&);
-template BlockGraph graph_of<3>(const Case&, const Arrangement<3>&, const Comm&);
 
 }  // namespace sinew

@@ -3,7 +3,6 @@
 
 #include <sinew/formulations/total_lagrangian.hpp>
 #include <sinew/model/regions.hpp>
-#include <sinew/parallel/decomposition.hpp>
 
 namespace sinew {
 
@@ -22,9 +21,5 @@ struct SolidSetup {
 template <int D>
 SolidSetup<D> set_up(const Case& c, const std::vector<GeneratedBody>& bodies, const TotalLagrangianOptions& options,
                      const Comm& comm);
-
-/// The blocks of a case as a graph, whoever computes them. Collective.
-template <int D>
-BlockGraph graph_of(const Case& c, const Arrangement<D>& all, const Comm& comm);
 
 }  // namespace sinew

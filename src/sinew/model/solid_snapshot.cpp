@@ -18,7 +18,7 @@ struct Output {
   double* values;
 };
 
-/// Of all particles, to the given rows. Some slots at a time, so that what one quantity has read (F, P) is in the cache for the next; in computing order, since more
+/// To the given rows, or without rows one after the other. Some slots at a time, so that what one quantity has read (F, P) is in the cache for the next; in computing order, since more
 /// is read than written.
 template <int D>
 void fill(const std::vector<Output<D>>& outputs, const QuantitySource<D>& source, const std::vector<int>& slots,
@@ -28,8 +28,12 @@ void fill(const std::vector<Output<D>>& outputs, const QuantitySource<D>& source
 #pragma omp parallel for schedule(static) if (count >= fewest_for_threads)
   for (std::ptrdiff_t begin = 0; begin < count; begin += together) {
     const std::size_t size = std::min(together, slots.size() - begin);
+    const std::span some = std::span(slots).subspan(begin, size);
     for (const Output<D>& out : outputs)
-      out.quantity.values(source, std::span(slots).subspan(begin, size), std::span(rows).subspan(begin, size), out.values);
+      if (rows.empty())
+        out.quantity.values(source, some, {}, out.values + begin * out.quantity.components);
+      else
+        out.quantity.values(source, some, std::span(rows).subspan(begin, size), out.values);
   }
 }
 
@@ -81,9 +85,7 @@ void SolidSimulation<D>::fill_snapshot(const std::vector<std::string>& fields, S
   }
   if (std::find(fields.begin(), fields.end(), "hourglass_error") != fields.end()) wants_hourglass_error_ = true;
   const bool recorded = std::any_of(fields.begin(), fields.end(), [](const std::string& name) { return needs_record(name); });
-  std::vector<int> rows;
-  for (int slot : slots) rows.push_back(comm_.alone() ? particles_.user_index[slot] : static_cast<int>(rows.size()));
-  fill(outputs, {particles_, solid_, recorded ? &record() : nullptr}, slots, rows);
+  fill(outputs, {particles_, solid_, recorded ? &record() : nullptr}, slots, order_.numbers());
   if (comm_.alone()) return;
   std::vector<double> position;
   for (const Point& x : s.position) position.insert(position.end(), x.c, x.c + 3);

@@ -7,7 +7,6 @@
 #include <memory>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace sinew {
@@ -17,7 +16,8 @@ struct CommonError {
   virtual ~CommonError() = default;
 };
 
-/// A handle; copies mean the same ranks. Every call but rank(), size(), root() and node_size() is collective: all ranks make it, in the same order.
+/// A handle; copies mean the same ranks. Static members and those that return what a rank knows (rank() to handle()) aside, every call is collective: all ranks
+/// make it, in the same order.
 class Comm {
  public:
   /// This process alone.

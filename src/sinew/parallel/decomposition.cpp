@@ -62,6 +62,51 @@ void check(int result, const char* what) {
   if (result != 0) throw std::runtime_error(std::string("Scotch cannot ") + what);
 }
 
+/// With one thread and a random number generator of its own, so that the same graph gives the same parts: with threads, Scotch does not.
+class ScotchContext {
+ public:
+  ScotchContext() {
+    check(SCOTCH_contextInit(&context_), "start");
+    check(SCOTCH_contextOptionSetNum(&context_, SCOTCH_OPTIONNUMDETERMINISTIC, 1), "be deterministic");
+    check(SCOTCH_contextThreadSpawn(&context_, 1, nullptr), "use one thread");
+    check(SCOTCH_contextRandomClone(&context_), "make random numbers");
+    SCOTCH_contextRandomSeed(&context_, 1);
+    SCOTCH_contextRandomReset(&context_);
+  }
+  ~ScotchContext() { SCOTCH_contextExit(&context_); }
+  ScotchContext(const ScotchContext&) = delete;
+  ScotchContext& operator=(const ScotchContext&) = delete;
+
+  /// The graph, to be partitioned in this context.
+  void bind(const SCOTCH_Graph& graph, SCOTCH_Graph& bound) {
+    check(SCOTCH_contextBindGraph(&context_, &graph, &bound), "take the graph");
+  }
+
+ private:
+  SCOTCH_Context context_;
+};
+
+std::vector<int> scotch_parts(const BlockGraph& graph, int parts) {
+  Adjacency adjacency(graph);
+  std::vector<SCOTCH_Num> pairs = scaled(graph.pairs), result(graph.blocks());
+  ScotchContext context;
+  SCOTCH_Graph scotch, bound;
+  SCOTCH_Strat strategy;
+  check(SCOTCH_graphInit(&scotch), "make a graph");
+  check(SCOTCH_graphInit(&bound), "make a graph");
+  check(SCOTCH_stratInit(&strategy), "make a strategy");
+  check(SCOTCH_graphBuild(&scotch, 0, graph.blocks(), adjacency.first.data(), nullptr, pairs.data(), nullptr,
+                          static_cast<SCOTCH_Num>(adjacency.neighbor.size()), adjacency.neighbor.data(), adjacency.weight.data()),
+        "read the graph of blocks");
+  context.bind(scotch, bound);
+  check(SCOTCH_stratGraphMapBuild(&strategy, SCOTCH_STRATQUALITY, parts, 0.01), "choose a strategy");
+  check(SCOTCH_graphPart(&bound, parts, &strategy, result.data()), "partition the graph of blocks");
+  SCOTCH_stratExit(&strategy);
+  SCOTCH_graphExit(&bound);
+  SCOTCH_graphExit(&scotch);
+  return {result.begin(), result.end()};
+}
+
 /// Moves single blocks from the heaviest part to the lightest one as long as that makes the heaviest lighter: the partitioner leaves a few percent.
 void even_out(const BlockGraph& graph, int parts, std::vector<int>& part) {
   std::vector<long> load(parts, 0);
@@ -113,22 +158,7 @@ std::vector<int> partition(const BlockGraph& graph, int parts) {
     std::iota(part.begin(), part.end(), 0);
     return part;
   }
-  Adjacency adjacency(graph);
-  std::vector<SCOTCH_Num> pairs = scaled(graph.pairs), result(graph.blocks());
-  SCOTCH_Graph scotch;
-  SCOTCH_Strat strategy;
-  SCOTCH_randomSeed(1);
-  SCOTCH_randomReset();
-  check(SCOTCH_graphInit(&scotch), "make a graph");
-  check(SCOTCH_stratInit(&strategy), "make a strategy");
-  check(SCOTCH_graphBuild(&scotch, 0, graph.blocks(), adjacency.first.data(), nullptr, pairs.data(), nullptr,
-                          static_cast<SCOTCH_Num>(adjacency.neighbor.size()), adjacency.neighbor.data(), adjacency.weight.data()),
-        "read the graph of blocks");
-  check(SCOTCH_stratGraphMapBuild(&strategy, SCOTCH_STRATQUALITY, parts, 0.01), "choose a strategy");
-  check(SCOTCH_graphPart(&scotch, parts, &strategy, result.data()), "partition the graph of blocks");
-  SCOTCH_stratExit(&strategy);
-  SCOTCH_graphExit(&scotch);
-  std::copy(result.begin(), result.end(), part.begin());
+  part = scotch_parts(graph, parts);
   even_out(graph, parts, part);
   return part;
 }

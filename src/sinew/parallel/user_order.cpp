@@ -18,18 +18,19 @@ UserOrder::UserOrder(const Comm& comm, const std::vector<int>& user_index) : com
       own.push_back(user_index[slot]);
     }
   range_ = user_range(static_cast<std::size_t>(comm.sum(static_cast<long>(own.size()))), comm.rank(), comm.size());
-  there_ = route_there(own);
-  back_ = route_back();
+  if (comm.alone()) {
+    numbers_ = std::move(own);
+  } else {
+    there_ = route_there(own);
+    back_ = route_back();
+  }
 }
 
 /// Each particle goes to the rank in whose range it is, and to those whose range ends just before it.
 UserOrder::Route UserOrder::route_there(const std::vector<int>& own) const {
   std::vector<int> by_number(own.size());
   std::iota(by_number.begin(), by_number.end(), 0);
-  if (own.size() == range_.total)
-    for (const int k : std::vector<int>(by_number)) by_number[own[k]] = k;  // all of them
-  else
-    std::sort(by_number.begin(), by_number.end(), [&](int a, int b) { return own[a] < own[b]; });
+  std::sort(by_number.begin(), by_number.end(), [&](int a, int b) { return own[a] < own[b]; });
   Route route;
   std::vector<std::vector<int>> places(comm_.size());
   auto next = by_number.begin();
@@ -84,16 +85,30 @@ std::vector<double> UserOrder::travel(const std::vector<double>& rows, int width
 }
 
 std::vector<double> UserOrder::to_range(const std::vector<double>& rows, int width) const {
-  return travel(rows, width, there_, range_.rows());
+  if (!comm_.alone()) return travel(rows, width, there_, range_.rows());
+  std::vector<double> sorted(rows.size());
+  for (std::size_t k = 0; k < numbers_.size(); ++k)
+    std::copy_n(rows.begin() + k * width, width, sorted.begin() + static_cast<std::ptrdiff_t>(numbers_[k]) * width);
+  return sorted;
 }
 
 std::vector<double> UserOrder::from_range(const std::vector<double>& rows, int width) const {
-  return travel(rows, width, back_, slots_.size());
+  if (!comm_.alone()) return travel(rows, width, back_, slots_.size());
+  std::vector<double> own(rows.size());
+  for (std::size_t k = 0; k < numbers_.size(); ++k)
+    std::copy_n(rows.begin() + static_cast<std::ptrdiff_t>(numbers_[k]) * width, width, own.begin() + k * width);
+  return own;
 }
 
 std::vector<double> UserOrder::whole(std::vector<double> rows, int width) const {
   rows.resize(range_.count * width);
   return comm_.gather_rows(rows, width);
+}
+
+std::size_t UserOrder::bytes() const {
+  std::size_t numbers = slots_.size() + numbers_.size();
+  for (const Route* route : {&there_, &back_}) numbers += route->row.size() + route->arriving.size();
+  return numbers * sizeof(int);
 }
 
 }  // namespace sinew

@@ -18,6 +18,8 @@ class UserOrder {
 
   /// Slots of the particles of this rank, ascending.
   const std::vector<int>& slots() const { return slots_; }
+  /// Numbers of these in the user's order, of a process alone; empty for one of several ranks.
+  const std::vector<int>& numbers() const { return numbers_; }
   const UserRange& range() const { return range_; }
   /// From rows of `width` numbers of the particles of this rank, in the order of slots(), to range().rows() rows. Collective.
   std::vector<double> to_range(const std::vector<double>& rows, int width) const;
@@ -25,6 +27,7 @@ class UserOrder {
   std::vector<double> from_range(const std::vector<double>& rows, int width) const;
   /// Rows of all particles on the root, from range().rows() rows; nothing elsewhere. Collective.
   std::vector<double> whole(std::vector<double> rows, int width) const;
+  std::size_t bytes() const;
 
  private:
   /// Rows that travel: which one goes to which rank, and where those that come belong.
@@ -37,9 +40,9 @@ class UserOrder {
   Route route_back() const;
 
   Comm comm_;
-  std::vector<int> slots_;
+  std::vector<int> slots_, numbers_;
   UserRange range_;
-  Route there_, back_;
+  Route there_, back_;  ///< empty for a process alone
 };
 
 }  // namespace sinew
