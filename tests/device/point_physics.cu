@@ -30,13 +30,23 @@ __global__ void correction_map(double* out, Correction correction, Moments<D> mo
 
 template <class Material, class M>
 __global__ void material_response(double* out, Material material, M F) {
-  const auto response = material.respond(F, typename Material::State{}, 0.0);
-  keep(out, trace(response.P), response.energy, material.acoustic_stiffness(F));
+  if constexpr (HasHistory<Material>) {
+    typename Material::template History<M> history;
+    const auto response = material.respond(F, history, 0.0);
+    keep(out, trace(response.P), response.energy, material.acoustic_stiffness(F, response.P), history.strain, history.work,
+         trace(material.recall(F, history).P), material.hourglass_modulus(history), material.temperature(history));
+  } else {
+    const auto response = material.respond(F);
+    keep(out, trace(response.P), response.energy, material.acoustic_stiffness(F));
+  }
 }
 
 template <class Material>
 __global__ void material_tangent(double* out, Material material, Mat3<double> F) {
-  keep(out, trace(material.tangent(F)));
+  if constexpr (HasHistory<Material>)
+    keep(out, trace(material.tangent(F, typename Material::template History<Mat3<double>>{}, 0.0)));
+  else
+    keep(out, trace(material.tangent(F)));
 }
 
 template <class Stabilization, int D>
@@ -94,7 +104,7 @@ void launch_all(double* out) {
   plane_matrices<<<1, 1>>>(out, PlaneMatrix<double>::identity());
   Materials::for_each([&]<class Material>() {
     launch_material(out, Material{});
-    launch_material(out, PlaneStress<Material>{});
+    if constexpr (!HasHistory<Material>) launch_material(out, PlaneStress<Material>{});
   });
 }
 

@@ -75,7 +75,19 @@ Material material_with(double density, double youngs_modulus, double poissons_ra
   m.elastic.youngs_modulus = youngs_modulus;
   m.elastic.poissons_ratio = poissons_ratio;
   m.elastic.complete();
+  if constexpr (HasHistory<Material>) m.hardening.yield_stress = 0.05 * youngs_modulus;
   return m;
+}
+
+/// Of a virgin particle.
+template <class Material>
+Response<Mat3<double>> virgin_response(const Material& m, const Mat3<double>& F) {
+  if constexpr (HasHistory<Material>) {
+    typename Material::template History<Mat3<double>> history;
+    return m.respond(F, history, 0.0);
+  } else {
+    return m.respond(F);
+  }
 }
 
 template <int D>

@@ -41,7 +41,7 @@ TEST(Determinism, SeveralBlocks) {
 TEST(Determinism, GhostsAreSpilledIntoTheirOwners) {
   const BlockSize small(300);
   const Cloud<2> cloud = make_cloud<2>(60, 0.3, 2.41, true, 2, 11);
-  const TotalLagrangian<2> solid(cloud.particles, cloud.radius, options<2>(material_with<NeoHookean>(1.0, 1.0, 0.3), 2));
+  TotalLagrangian<2> solid(cloud.particles, cloud.radius, options<2>(material_with<NeoHookean>(1.0, 1.0, 0.3), 2));
   const Blocks& blocks = solid.pairs().blocks;
   ASSERT_GT(blocks.count(), 10);
   std::vector<int> seen(blocks.ghosts, 0);
@@ -67,7 +67,7 @@ TEST(Determinism, BlocksThatSeeTooMuchAreAnError) {
   place_limit = 400;
   try {
     const Cloud<2> cloud = make_cloud<2>(20, 0.3, 2.41, false, 1, 5);
-    const TotalLagrangian<2> solid(cloud.particles, cloud.radius, options<2>(material_with<NeoHookean>(1.0, 1.0, 0.3)));
+    TotalLagrangian<2> solid(cloud.particles, cloud.radius, options<2>(material_with<NeoHookean>(1.0, 1.0, 0.3)));
     ADD_FAILURE() << "no error";
   } catch (const CaseError& error) {
     EXPECT_NE(std::string(error.what()).find("Make [formulation] support smaller"), std::string::npos) << error.what();

@@ -20,7 +20,7 @@ template <int D>
 void check_patch(const Mat<double, D>& A) {
   Cloud<D> cloud = make_cloud<D>(D == 3 ? 5 : 9, 0.4, 2.41, true, 1, 1);
   displace<D>(cloud.particles, A, 0.0);
-  const TotalLagrangian<D> solid(cloud.particles, cloud.radius, options<D>(rubber));
+  TotalLagrangian<D> solid(cloud.particles, cloud.radius, options<D>(rubber));
   RecordedState state(cloud.particles.slots);
   const ForceSummary summary = solid.record(cloud.particles, state);
   for (int slot : cloud.particles.slot_of)
@@ -37,7 +37,7 @@ TEST(Invariants, PatchTestOnDisturbedParticles) {
 TEST(Invariants, ARigidRotationLeavesNoStress) {
   Cloud<3> cloud = make_cloud<3>(5, 0.3, 2.41, true, 1, 2);
   displace<3>(cloud.particles, rotation(1.0), 0.0);
-  const TotalLagrangian<3> solid(cloud.particles, cloud.radius, options<3>(rubber));
+  TotalLagrangian<3> solid(cloud.particles, cloud.radius, options<3>(rubber));
   RecordedState state(cloud.particles.slots);
   solid.record(cloud.particles, state);
   for (int slot : cloud.particles.slot_of)
@@ -49,7 +49,7 @@ void check_momentum(AnyCorrection correction, bool torque) {
   const BlockSize small(40);
   Cloud<D> cloud = make_cloud<D>(D == 3 ? 5 : 9, 0.4, 2.41, true, 1, 3);
   displace<D>(cloud.particles, Mat<double, D>::identity(), 0.15);
-  const TotalLagrangian<D> solid(cloud.particles, cloud.radius, options<D>(rubber, 1, WendlandC2{}, correction));
+  TotalLagrangian<D> solid(cloud.particles, cloud.radius, options<D>(rubber, 1, WendlandC2{}, correction));
   VectorField<D> forces(cloud.particles.slots);
   solid.internal_forces(cloud.particles, forces);
   Point sum, moment;
@@ -86,7 +86,7 @@ void check_energy_gradient(const AnyMaterial& material, const AnyCorrection& cor
   displace<D>(cloud.particles, Mat<double, D>::identity(), 0.1);
   TotalLagrangianOptions o = options<D>(material, 1, CubicSpline{}, correction);
   if (!hourglass) o.hourglass.reset();
-  const TotalLagrangian<D> solid(cloud.particles, cloud.radius, o);
+  TotalLagrangian<D> solid(cloud.particles, cloud.radius, o);
   const auto energy = [&](VectorField<D>& unused) {
     const ForceSummary summary = solid.internal_forces(cloud.particles, unused);
     return summary.strain_energy + summary.hourglass_energy;
@@ -110,7 +110,7 @@ void check_energy_gradient(const AnyMaterial& material, const AnyCorrection& cor
 }
 
 TEST(Invariants, ForceIsMinusTheGradientOfTheEnergy) {
-  Materials::for_each([]<class M>() {
+  ElasticMaterials::for_each([]<class M>() {
     for (bool hourglass : {false, true}) {
       check_energy_gradient<2>(material_with<M>(1.0, 2.0, 0.35), GradientCorrection{}, hourglass);
       check_energy_gradient<3>(material_with<M>(1.0, 2.0, 0.35), GradientCorrection{}, hourglass);
@@ -131,7 +131,7 @@ TEST(Invariants, DualSupport) {
   Particles<2> particles = make_particles<2>({{"body", &points, 1.0, 1.0}}, 1.0);
   std::vector<double> radius(particles.slots, 1.5);
   radius[particles.slot_of[0]] = 3.2;
-  const TotalLagrangian<2> solid(particles, radius, options<2>(rubber));
+  TotalLagrangian<2> solid(particles, radius, options<2>(rubber));
   const int corner = particles.slot_of[0], far = particles.slot_of[3];
   EXPECT_EQ(solid.pairs().neighbor_count[corner], 12);  // of the 15 others all but (2, 3), (3, 2) and (3, 3)
   EXPECT_EQ(solid.pairs().neighbor_count[far], 3);
@@ -152,7 +152,7 @@ TEST(Invariants, TooFewNeighborsAreNamed) {
   points.volume.assign(5, 1.0);
   const Particles<2> particles = make_particles<2>({{"wire", &points, 1.0, 1.0}}, 1.0);
   try {
-    const TotalLagrangian<2> solid(particles, std::vector<double>(particles.slots, 2.41), options<2>(rubber));
+    TotalLagrangian<2> solid(particles, std::vector<double>(particles.slots, 2.41), options<2>(rubber));
     FAIL() << "no error";
   } catch (const CaseError& error) {
     EXPECT_EQ(

@@ -38,7 +38,7 @@ Particles<D> particles_of(const std::vector<PointSet>& bodies) {
 }
 
 template <int D>
-std::vector<Vec<double, D>> forces_of(Particles<D> particles, const TotalLagrangian<D>& solid, ForceSummary* summary = nullptr) {
+std::vector<Vec<double, D>> forces_of(Particles<D> particles, TotalLagrangian<D>& solid, ForceSummary* summary = nullptr) {
   VectorField<D> total(particles.slots);
   const ForceSummary s = solid.internal_forces(particles, total);
   if (summary) *summary = s;
@@ -74,9 +74,9 @@ void compare_in_blocks(const std::vector<PointSet>& bodies, Share share, double 
   for (const char* form : {"conservative", "half"}) {
     TotalLagrangianOptions o = options<D>(material_with<NeoHookean>(1.3, 2.0, 0.4), count);
     o.hourglass->normalization.value = form;
-    const TotalLagrangian<D> lattice(particles, radius, o);
+    TotalLagrangian<D> lattice(particles, radius, o);
     o.lattice = false;
-    const TotalLagrangian<D> listed(particles, radius, o);
+    TotalLagrangian<D> listed(particles, radius, o);
     const int slices = lattice.pairs().blocks.slices();
     EXPECT_GT(lattice.lattice().slices(), share == Share::all ? slices - 1 : slices / 2);
     EXPECT_LT(lattice.lattice().slices(), share == Share::all ? slices + 1 : slices);
@@ -149,7 +149,7 @@ TEST(Lattice, RegularAndDisturbedBodies) {
 
 TEST(Lattice, DisturbedBodiesHaveNone) {
   const Cloud<3> cloud = make_cloud<3>(6, 0.2, 2.41, false, 1, 4);
-  const TotalLagrangian<3> solid(cloud.particles, cloud.radius, options<3>(material_with<NeoHookean>(1.3, 2.0, 0.4)));
+  TotalLagrangian<3> solid(cloud.particles, cloud.radius, options<3>(material_with<NeoHookean>(1.3, 2.0, 0.4)));
   EXPECT_EQ(solid.lattice().slices(), 0);
 }
 
@@ -158,7 +158,8 @@ std::vector<Vec<double, D>> forces_with(const Cloud<D>& cloud, WeightStorage wei
   TotalLagrangianOptions o = options<D>(material_with<StVenantKirchhoff>(1.3, 2.0, 0.3));
   o.hourglass->normalization.value = form;
   o.weights = weights;
-  return forces_of(cloud.particles, TotalLagrangian<D>(cloud.particles, cloud.radius, o));
+  TotalLagrangian<D> solid(cloud.particles, cloud.radius, o);
+  return forces_of(cloud.particles, solid);
 }
 
 template <int D>
@@ -190,7 +191,7 @@ TEST(Weights, SingleOnesPassThePatchTest) {
   displace<3>(cloud.particles, A, 0.0);
   TotalLagrangianOptions o = options<3>(material_with<StVenantKirchhoff>(1.3, 2.0, 0.3));
   o.weights = WeightStorage::single;
-  const TotalLagrangian<3> solid(cloud.particles, cloud.radius, o);
+  TotalLagrangian<3> solid(cloud.particles, cloud.radius, o);
   RecordedState state(cloud.particles.slots);
   const ForceSummary summary = solid.record(cloud.particles, state);
   for (int slot : cloud.particles.slot_of)

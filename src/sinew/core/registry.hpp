@@ -27,4 +27,17 @@ struct TypeList {
   static std::vector<std::string> names() { return {std::string(Ts::name)...}; }
 };
 
+namespace detail {
+template <class A, class B>
+struct Join;
+template <class... As, class... Bs>
+struct Join<TypeList<As...>, TypeList<Bs...>> {
+  using Type = TypeList<As..., Bs...>;
+};
+}  // namespace detail
+
+/// The types of one list and of another.
+template <class A, class B>
+using Joined = typename detail::Join<A, B>::Type;
+
 }  // namespace sinew

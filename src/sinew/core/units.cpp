@@ -16,7 +16,7 @@ struct NamedUnit {
   bool takes_prefix;
 };
 
-constexpr std::array<NamedUnit, 20> named_units{{
+constexpr std::array<NamedUnit, 21> named_units{{
     {"m", 1.0, {1, 0, 0}, true},
     {"g", 1e-3, {0, 1, 0}, true},
     {"s", 1.0, {0, 0, 1}, true},
@@ -26,6 +26,7 @@ constexpr std::array<NamedUnit, 20> named_units{{
     {"W", 1.0, {2, 1, -3}, true},
     {"Hz", 1.0, {0, 0, -1}, true},
     {"kg", 1.0, {0, 1, 0}, false},
+    {"K", 1.0, {0, 0, 0, 1}, false},
     {"t", 1e3, {0, 1, 0}, false},
     {"min", 60.0, {0, 0, 1}, false},
     {"h", 3600.0, {0, 0, 1}, false},
@@ -53,13 +54,14 @@ double integer_power(double base, int exponent) {
 }
 
 Unit power(const Unit& u, int n) {
-  return {integer_power(u.factor, n), {u.dimensions.length * n, u.dimensions.mass * n, u.dimensions.time * n}};
+  const Dimensions& d = u.dimensions;
+  return {integer_power(u.factor, n), {d.length * n, d.mass * n, d.time * n, d.temperature * n}};
 }
 
 Unit product(const Unit& a, const Unit& b) {
   const Dimensions& p = a.dimensions;
   const Dimensions& q = b.dimensions;
-  return {a.factor * b.factor, {p.length + q.length, p.mass + q.mass, p.time + q.time}};
+  return {a.factor * b.factor, {p.length + q.length, p.mass + q.mass, p.time + q.time, p.temperature + q.temperature}};
 }
 
 /// Division of the factors, not multiplication by an inverse: mm/ms is then exactly 1 m/s.
@@ -153,6 +155,7 @@ std::optional<std::string> name_in_system(std::string_view name, const UnitSyste
   if (name == "m") return system.length;
   if (name == "kg") return system.mass;
   if (name == "s") return system.time;
+  if (name == "K") return "K";
   const std::optional<Unit> unit = single_unit(name);
   if (!unit) return std::nullopt;
   if (unit->dimensions == Dimensions{}) return std::string(name);
@@ -164,8 +167,8 @@ std::optional<std::string> name_in_system(std::string_view name, const UnitSyste
 
 /// "length^a mass^b/time^c" of a dimension, as a last resort.
 std::string product_name(const Dimensions& d, const UnitSystem& system) {
-  const std::array<std::pair<std::string, int>, 3> parts{
-      {{system.mass, d.mass}, {system.length, d.length}, {system.time, d.time}}};
+  const std::array<std::pair<std::string, int>, 4> parts{
+      {{system.mass, d.mass}, {system.length, d.length}, {system.time, d.time}, {"K", d.temperature}}};
   std::string above, below;
   for (const auto& [name, exponent] : parts) {
     if (exponent == 0) continue;

@@ -7,9 +7,9 @@
 
 namespace sinew {
 
-/// Exponents of length, mass and time.
+/// Exponents of length, mass, time and temperature.
 struct Dimensions {
-  int length = 0, mass = 0, time = 0;
+  int length = 0, mass = 0, time = 0, temperature = 0;
   friend bool operator==(const Dimensions&, const Dimensions&) = default;
 };
 
@@ -21,7 +21,7 @@ struct Unit {
 /// Parses "MPa", "kg/m^3", "mm/ms", "N m", "kN/mm^2", "1/s", "rad/s", "1". Nothing if any part is unknown.
 std::optional<Unit> parse_unit(std::string_view text);
 
-/// A consistent system: the sizes in SI of its length, mass and time. SI by default.
+/// A consistent system: the sizes in SI of its length, mass and time. SI by default. Temperatures are in K in all of them.
 struct UnitSystem {
   std::string length = "m", mass = "kg", time = "s";
   double length_factor = 1.0, mass_factor = 1.0, time_factor = 1.0;

@@ -1,55 +1,100 @@
 #include <sinew/formulations/material_point.hpp>
 #include <sinew/materials/plane_stress.hpp>
 
+#include <stdexcept>
+
 namespace sinew {
 
 namespace {
 
 // All is known before anything is stored, since to the compiler `out` might be where F and the constants of the material are.
 
-template <class Material>
-void respond_in_space(const void* pointer, const Mat<Pack, 3>& F, PointResponse<3>& out) {
+SINEW_INLINE void put(const Mat3<Pack>& F, const Response<Mat3<Pack>>& r, const Pack& stiffness, const Pack& modulus,
+                      PointResponse<3>& out) {
+  out = {r.P, r.energy, determinant(F), stiffness, modulus};
+}
+SINEW_INLINE void put(const PlaneMatrix<Pack>& F, const Response<PlaneMatrix<Pack>>& r, const Pack& stiffness,
+                      const Pack& modulus, PointResponse<2>& out) {
+  out = {r.P.in_plane, r.energy, determinant(F), stiffness, modulus, Pack(1.0), F.out_of_plane, r.P.out_of_plane};
+}
+
+/// The matrix with which materials of D dimensions work, with F33 = 1 in the plane.
+SINEW_INLINE const Mat3<Pack>& strained(const Mat<Pack, 3>& F) { return F; }
+SINEW_INLINE PlaneMatrix<Pack> strained(const Mat<Pack, 2>& F) { return {F, Pack(1.0)}; }
+
+template <int D, class Material>
+void respond_elastic(const void* pointer, const Mat<Pack, D>& plane, const SliceHistory<D>*, PointResponse<D>& out) {
   const Material& material = *static_cast<const Material*>(pointer);
-  const auto r = material.respond(F);
-  out = {r.P, r.energy, determinant(F), material.acoustic_stiffness(F)};
+  const auto& F = strained(plane);
+  put(F, material.respond(F), material.acoustic_stiffness(F), Pack(material.elastic.youngs_modulus), out);
 }
 
 template <class Material>
-SINEW_INLINE void respond_at_thickness(const Material& material, const PlaneMatrix<Pack>& F, PointResponse<2>& out) {
-  const auto r = material.respond(F);
-  out = {r.P.in_plane, r.energy, determinant(F), material.acoustic_stiffness(F), F.out_of_plane, r.P.out_of_plane};
-}
-
-template <class Material>
-void respond_in_plane_strain(const void* pointer, const Mat<Pack, 2>& F, PointResponse<2>& out) {
-  respond_at_thickness(*static_cast<const Material*>(pointer), {F, Pack(1.0)}, out);
-}
-
-template <class Material>
-void respond_in_plane_stress(const void* pointer, const Mat<Pack, 2>& F, PointResponse<2>& out) {
+void respond_in_plane_stress(const void* pointer, const Mat<Pack, 2>& plane, const SliceHistory<2>*, PointResponse<2>& out) {
   const Material& material = *static_cast<const Material*>(pointer);
-  const Pack stretch = PlaneStress<Material>{material}.thickness_stretch(PlaneMatrix<Pack>{F, Pack(1.0)});
-  respond_at_thickness(material, {F, stretch}, out);
+  const Pack stretch = PlaneStress<Material>{material}.thickness_stretch(PlaneMatrix<Pack>{plane, Pack(1.0)});
+  const PlaneMatrix<Pack> F{plane, stretch};
+  put(F, material.respond(F), material.acoustic_stiffness(F), Pack(material.elastic.youngs_modulus), out);
+}
+
+/// Calls use(history number, its values in the block) for all numbers of a slice.
+template <class History, int D, class Use>
+SINEW_INLINE void for_each_number(History& history, const SliceHistory<D>& slice, Use&& use) {
+  double* values = slice.block.values;
+  History::numbers(history, [&](Pack& number) {
+    use(number, values);
+    values += slice.block.count;
+  });
+}
+
+template <int D, class Material>
+void respond_with_history(const void* pointer, const Mat<Pack, D>& plane, const SliceHistory<D>* slice, PointResponse<D>& out) {
+  const Material& material = *static_cast<const Material*>(pointer);
+  const auto& F = strained(plane);
+  using M = std::remove_cvref_t<decltype(F)>;
+  typename Material::template History<M> history;
+  for_each_number(history, *slice,
+                  [&](Pack& number, const double* values) { number = slice->slots.load(values, slice->block.first); });
+  const Pack modulus = material.hourglass_modulus(history);
+  const Response<M> r = slice->step.keep ? material.respond(F, history, slice->step.dt) : material.recall(F, history);
+  put(F, r, material.acoustic_stiffness(F, r.P), modulus, out);
+  out.hourglass_left = material.hourglass_modulus(history) / modulus;
+  out.plastic = {history.strain, history.work, material.temperature(history)};
+  if (slice->step.keep)
+    for_each_number(history, *slice,
+                    [&](const Pack& number, double* values) { slice->slots.store(number, values, slice->block.first); });
+}
+
+/// How many numbers a history has.
+template <int D, class Material>
+int count_numbers() {
+  using M = std::remove_cvref_t<decltype(strained(Mat<Pack, D>{}))>;
+  typename Material::template History<M> history;
+  int count = 0;
+  decltype(history)::numbers(history, [&](const Pack&) { ++count; });
+  return count;
+}
+
+template <int D, class Material>
+MaterialPoint<D> point_of(const Material& material, [[maybe_unused]] bool plane_stress) {
+  if constexpr (HasHistory<Material>) {
+    if (plane_stress) throw std::logic_error("a material with history in plane stress");
+    return {&material, respond_with_history<D, Material>, count_numbers<D, Material>()};
+  } else {
+    if constexpr (D == 2)
+      if (plane_stress) return {&material, respond_in_plane_stress<Material>, 0};
+    return {&material, respond_elastic<D, Material>, 0};
+  }
 }
 
 }  // namespace
 
-template <>
-MaterialPoint<2> material_point<2>(const AnyMaterial& any, bool plane_stress) {
-  return std::visit(
-      [&]<class Material>(const Material& material) -> MaterialPoint<2> {
-        return {&material, plane_stress ? respond_in_plane_stress<Material> : respond_in_plane_strain<Material>};
-      },
-      any);
+template <int D>
+MaterialPoint<D> material_point(const AnyMaterial& any, bool plane_stress) {
+  return std::visit([&](const auto& material) { return point_of<D>(material, plane_stress); }, any);
 }
 
-template <>
-MaterialPoint<3> material_point<3>(const AnyMaterial& any, bool) {
-  return std::visit(
-      []<class Material>(const Material& material) -> MaterialPoint<3> {
-        return {&material, respond_in_space<Material>};
-      },
-      any);
-}
+template MaterialPoint<2> material_point<2>(const AnyMaterial&, bool);
+template MaterialPoint<3> material_point<3>(const AnyMaterial&, bool);
 
 }  // namespace sinew

@@ -2,10 +2,17 @@
 /// Between a material, known only as one of many, and the sweep, which is compiled once for all of them: the response of eight particles at
 /// once behind one call a slice.
 
-#include <sinew/core/pack.hpp>
+#include <sinew/formulations/slice_slots.hpp>
 #include <sinew/materials/registry.hpp>
 
 namespace sinew {
+
+/// What a particle with history tells about itself besides its stress.
+struct PlasticState {
+  Pack strain{0.0};       ///< equivalent plastic strain
+  Pack work{0.0};         ///< plastic work per reference volume, dissipated [pressure]
+  Pack temperature{0.0};  ///< [K]; 0 where the material knows none
+};
 
 template <int D>
 struct PointResponse {
@@ -13,20 +20,47 @@ struct PointResponse {
   Pack energy;                  ///< strain energy per reference volume [pressure]
   Pack jacobian;                ///< det F, in three dimensions
   Pack acoustic_stiffness;      ///< bound of density times the squared wave speed in the reference frame [pressure]
+  Pack hourglass_modulus;       ///< of the hourglass stiffness in this step [pressure]
+  Pack hourglass_left{1.0};     ///< part of it that is left for the next step
   Pack thickness_stretch{1.0};  ///< F33
   Pack thickness_stress{0.0};   ///< P33 in 2D [pressure]
+  PlasticState plastic{};
+};
+
+/// The histories of a block: number n of the particle in `slot` is values[n * count + slot - first].
+struct HistorySlots {
+  double* values = nullptr;
+  int count = 0, first = 0;
+};
+
+/// How far time has gone since the histories, and whether they are to become those of the new state. If not, they belong to it already.
+struct PointStep {
+  double dt = 0.0;
+  bool keep = false;
+};
+
+template <int D>
+struct SliceHistory {
+  HistorySlots block;
+  SliceSlots<D> slots;
+  PointStep step;
 };
 
 /// Fills `response` for the deformation gradient F.
 template <int D>
 struct MaterialPoint {
-  using Function = void (*)(const void* material, const Mat<Pack, D>& F, PointResponse<D>& response);
+  using Function = void (*)(const void* material, const Mat<Pack, D>& F, const SliceHistory<D>* history, PointResponse<D>& out);
   const void* material;
   Function function;
-  void operator()(const Mat<Pack, D>& F, PointResponse<D>& response) const { function(material, F, response); }
+  int numbers;  ///< of a particle's history
+
+  /// `history`: nullptr where there are no numbers.
+  void operator()(const Mat<Pack, D>& F, const SliceHistory<D>* history, PointResponse<D>& response) const {
+    function(material, F, history, response);
+  }
 };
 
-/// The material stays with the caller. `plane_stress`: only in 2D.
+/// The material stays with the caller. `plane_stress`: only in 2D, and only for materials without history.
 template <int D>
 MaterialPoint<D> material_point(const AnyMaterial& material, bool plane_stress);
 

@@ -13,32 +13,12 @@ namespace sinew {
 
 /// Sums and extremes over the slices of a block, lane by lane.
 struct SweepSums {
-  Pack energy{0.0}, hourglass_energy{0.0}, jacobian{infinity}, stiffness_rate{0.0};
+  Pack energy{0.0}, hourglass_energy{0.0}, released{0.0}, plastic_work{0.0}, jacobian{infinity}, stiffness_rate{0.0};
 
   ForceSummary total(double density) const {
-    return {sum(energy), sum(hourglass_energy), smallest(jacobian), largest(stiffness_rate) / density};
+    return {sum(energy),       sum(hourglass_energy), sum(released),
+            sum(plastic_work), smallest(jacobian),    largest(stiffness_rate) / density};
   }
-};
-
-/// Where the lanes of a slice go: the slots of the block's own particles.
-template <int D>
-class SliceSlots {
- public:
-  SliceSlots(const SweepTask<D>& task, int slice)
-      : slots_(task.source.pairs.blocks.slots_of(task.block) + task.source.pairs.blocks.place_of_slice[slice]),
-        block_(task.block),
-        in_a_row_(block_.owns(slots_[0]) && block_.owns(slots_[lanes - 1]) && slots_[lanes - 1] - slots_[0] == lanes - 1) {}
-
-  void store(const Pack& values, double* by_slot) const {
-    if (in_a_row_) return values.store_unaligned(by_slot + slots_[0]);
-    for (int k = 0; k < lanes; ++k)
-      if (block_.owns(slots_[k])) by_slot[slots_[k]] = values[k];
-  }
-
- private:
-  const int* slots_;
-  const Block& block_;
-  bool in_a_row_;
 };
 
 /// Largest |F X - x| / |X| over the neighbors of eight particles.
@@ -56,13 +36,18 @@ Pack hourglass_error(const Mat<Pack, D>& F, const Pairs& pairs) {
 template <int D, class Pairs>
 void keep(const SweepTask<D>& task, int slice, const Mat<Pack, D>& F, const PointResponse<D>& point, const Pairs& pairs) {
   RecordedState& state = *task.record;
-  const SliceSlots<D> slots(task, slice);
+  const SliceSlots<D> slots(task.source.pairs, task.block, slice);
   const Mat3<Pack> F3 = embed(F, point.thickness_stretch), P3 = embed(point.P, point.thickness_stress);
   for (int c = 0; c < 9; ++c) {
     slots.store(F3[c / 3][c % 3], state.deformation_gradient.component(c));
     slots.store(P3[c / 3][c % 3], state.stress.component(c));
   }
   slots.store(point.energy, state.energy_density.data());
+  if (task.material.numbers > 0) {
+    slots.store(point.plastic.strain, state.plastic.component(0));
+    slots.store(point.plastic.work, state.plastic.component(1));
+    slots.store(point.plastic.temperature, state.plastic.component(2));
+  }
   if (state.hourglass_error.size() > 0) slots.store(hourglass_error(F, pairs), state.hourglass_error.data());
 }
 
@@ -89,13 +74,24 @@ SINEW_INLINE void give_forces(const SweepTask<D>& task, const SliceConstants<D>&
   const PointResponse<D>& point = slice.point;
   const Pack volume = constants.volume * task.thickness;
   sums.energy += volume * point.energy;
+  sums.plastic_work += volume * point.plastic.work;
   sums.jacobian = min(sums.jacobian, point.jacobian);
   sums.stiffness_rate = max(sums.stiffness_rate, point.acoustic_stiffness * constants.inverse_length2);
 
-  const Pack stiffness = volume * task.hourglass * constants.hourglass_scale;
+  const Pack modulus = task.fixed_modulus > 0.0 ? Pack(task.fixed_modulus) : point.hourglass_modulus;
+  const Pack stiffness = volume * task.hourglass * modulus * constants.hourglass_scale;
   Shares shares(PointState<D>{(volume * point.P) * constants.correction_matrix(), slice.F, slice.S, stiffness});
   pairs.exchange(shares);
-  sums.hourglass_energy += shares.hourglass_energy();
+  const Pack energy = shares.hourglass_energy(), left = task.fixed_modulus > 0.0 ? Pack(1.0) : point.hourglass_left;
+  sums.hourglass_energy += left * energy;
+  sums.released += energy - left * energy;
+}
+
+template <int D>
+SINEW_INLINE void ask_material(const SweepTask<D>& task, int slice, SliceInWork<D>& work) {
+  if (task.material.numbers == 0) return task.material(work.F, nullptr, work.point);
+  const SliceHistory<D> history{task.history, SliceSlots<D>(task.source.pairs, task.block, slice), task.step};
+  task.material(work.F, &history, work.point);
 }
 
 /// Slices [begin, end), all of them with a pair list or all with a lattice pattern. A few go together, so that the long chains of operations in
@@ -113,7 +109,7 @@ void sweep_slices(const SweepTask<D>& task, Pairs pairs, int begin, int end, Swe
       pairs.enter(first + k);
       find_deformation(constants(first + k), pairs, slices[k]);
     }
-    for (int k = 0; k < count; ++k) task.material(slices[k].F, slices[k].point);
+    for (int k = 0; k < count; ++k) ask_material(task, first + k, slices[k]);
     for (int k = 0; k < count; ++k) {
       pairs.enter(first + k);
       give_forces<D, Shares>(task, constants(first + k), pairs, slices[k], sums);

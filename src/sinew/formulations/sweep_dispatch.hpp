@@ -15,8 +15,11 @@ struct SweepTask {
   const WeightOptions& options;
   MaterialPoint<D> material;
   double thickness, density;
-  double hourglass;  ///< coefficient times Young's modulus; 0 without
+  double hourglass;      ///< coefficient; 0 without
+  double fixed_modulus;  ///< of the hourglass stiffness; 0: what the material says
   BlockScratch<D>& scratch;
+  HistorySlots history;
+  PointStep step;
   RecordedState* record;  ///< nullptr: forces only
 };
 

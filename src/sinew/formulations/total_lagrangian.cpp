@@ -29,6 +29,15 @@ double hourglass_limit(const Particles<D>& particles, const PairWeights<D>& weig
   return omega2 > 0.0 ? 2.0 / std::sqrt(omega2) : infinity;
 }
 
+/// Of the materials of all bodies.
+template <int D>
+std::vector<int> history_numbers(const TotalLagrangianOptions& options) {
+  std::vector<int> numbers;
+  for (const AnyMaterial& material : options.materials)
+    numbers.push_back(material_point<D>(material, options.plane_stress).numbers);
+  return numbers;
+}
+
 }  // namespace
 
 bool may_use_lattice(const TotalLagrangianOptions& options) {
@@ -51,6 +60,7 @@ TotalLagrangian<D>::TotalLagrangian(const Particles<D>& particles, BlockPairs<D>
       halo_(std::move(halo)),
       pairs_(std::move(pairs)),
       countdown_(pairs_.blocks),
+      history_(particles.blocks, history_numbers<D>(options_)),
       summaries_(pairs_.blocks.all.size()),
       spilled_(pairs_.blocks.ghosts) {
   for (int b = 0; b < pairs_.blocks.count(); ++b) {
@@ -87,20 +97,20 @@ WeightOptions TotalLagrangian<D>::weight_options() const {
 
 /// Room for every thread; only the first call and more threads allocate.
 template <int D>
-void TotalLagrangian<D>::prepare_scratch() const {
+void TotalLagrangian<D>::prepare_scratch() {
   while (scratches_.size() < most_threads()) scratches_.emplace_back(pairs_);
 }
 
 template <int D>
 SweepTask<D> TotalLagrangian<D>::task_of(int index, const PairSource<D>& source, const WeightOptions& weights,
-                                         RecordedState* record) const {
+                                         PointStep step, RecordedState* record) {
   const Block& block = pairs_.blocks.all[index];
   BlockScratch<D>& scratch = scratches_[this_thread()];
   scratch.bring_in(block, source.particles);
   if (block.has_list && options_.weights == WeightStorage::computed)
     scratch.bring_in_sizes(block, source.particles, weights_.radius.data());
   const AnyMaterial& material = options_.materials[block.body];
-  const double hourglass = options_.hourglass ? options_.hourglass->coefficient() * youngs_modulus_of(material) : 0.0;
+  const bool soft = !options_.hourglass || options_.hourglass->plastic_switch;
   return {block,
           source,
           weights_,
@@ -108,17 +118,22 @@ SweepTask<D> TotalLagrangian<D>::task_of(int index, const PairSource<D>& source,
           material_point<D>(material, options_.plane_stress),
           options_.thickness,
           density_of(material),
-          hourglass,
+          options_.hourglass ? options_.hourglass->coefficient() : 0.0,
+          soft ? 0.0 : youngs_modulus_of(material),
           scratch,
+          history_.of(index),
+          step,
           record};
 }
 
 template <int D>
-ForceSummary TotalLagrangian<D>::total() const {
+ForceSummary TotalLagrangian<D>::total(const std::vector<ForceSummary>& of_blocks) {
   ForceSummary total;
-  for (const ForceSummary& part : summaries_) {
+  for (const ForceSummary& part : of_blocks) {
     total.strain_energy += part.strain_energy;
     total.hourglass_energy += part.hourglass_energy;
+    total.released += part.released;
+    total.plastic_work += part.plastic_work;
     total.smallest_jacobian = std::min(total.smallest_jacobian, part.smallest_jacobian);
     total.largest_rate2 = std::max(total.largest_rate2, part.largest_rate2);
   }
@@ -130,7 +145,7 @@ ForceSummary TotalLagrangian<D>::total() const {
 /// copies during the second half.
 template <int D>
 template <class Work>
-void TotalLagrangian<D>::sweep_blocks(Particles<D>& particles, Work&& work, bool forces_go_back) const {
+void TotalLagrangian<D>::sweep_blocks(Particles<D>& particles, Work&& work, bool forces_go_back) {
   const std::size_t half = edge_.empty() ? inner_.size() : inner_.size() / 2;
   const std::span<const int> inner(inner_), first = inner.first(half), second = inner.subspan(half);
   const bool many = particles.slots >= fewest_for_threads;
@@ -145,8 +160,8 @@ void TotalLagrangian<D>::sweep_blocks(Particles<D>& particles, Work&& work, bool
 }
 
 template <int D>
-ForceSummary TotalLagrangian<D>::internal_forces(Particles<D>& particles, VectorField<D>& forces, Finish finish,
-                                                 RecordedState* record) const {
+ForceSummary TotalLagrangian<D>::internal_forces(Particles<D>& particles, VectorField<D>& forces, double dt, Finish finish,
+                                                 RecordedState* record) {
   const PairSource<D> source{particles, pairs_};
   const WeightOptions weights = weight_options();
   const auto complete = [&](int index) {
@@ -154,7 +169,7 @@ ForceSummary TotalLagrangian<D>::internal_forces(Particles<D>& particles, Vector
     finish(pairs_.blocks.all[index].begin, pairs_.blocks.all[index].end);
   };
   const auto work = [&](int index) {
-    const SweepTask<D> task = task_of(index, source, weights, record);
+    const SweepTask<D> task = task_of(index, source, weights, {dt, true}, record);
     summaries_[index] = sweep_block<D>(task);
     task.scratch.hand_out(task.block, forces, spilled_);
     countdown_.done(index, complete);
@@ -163,25 +178,26 @@ ForceSummary TotalLagrangian<D>::internal_forces(Particles<D>& particles, Vector
   sweep_blocks(particles, work, true);
   for_each_block(
       pairs_.blocks.awaiting, true, [&](int index) { countdown_.received(index, complete); }, [] {});
-  return total();
+  return total(summaries_);
 }
 
 template <int D>
-ForceSummary TotalLagrangian<D>::internal_forces(Particles<D>& particles, VectorField<D>& forces) const {
-  return internal_forces(particles, forces, [](int, int) {});
+ForceSummary TotalLagrangian<D>::internal_forces(Particles<D>& particles, VectorField<D>& forces) {
+  return internal_forces(particles, forces, 0.0, [](int, int) {});
 }
 
 template <int D>
-ForceSummary TotalLagrangian<D>::record(Particles<D>& particles, RecordedState& state) const {
+ForceSummary TotalLagrangian<D>::record(Particles<D>& particles, RecordedState& state) {
   const PairSource<D> source{particles, pairs_};
   const WeightOptions weights = weight_options();
   const auto work = [&](int index) {
-    const SweepTask<D> task = task_of(index, source, weights, &state);
-    summaries_[index] = sweep_block<D>(task);
+    const SweepTask<D> task = task_of(index, source, weights, {}, &state);
+    recorded_[index] = sweep_block<D>(task);
     task.scratch.discard(task.block);
   };
+  recorded_.resize(summaries_.size());
   sweep_blocks(particles, work, false);
-  return total();
+  return total(recorded_);
 }
 
 template <int D>
@@ -190,10 +206,10 @@ StoredEnergy TotalLagrangian<D>::stored_energy() const {
   std::vector<double> partial;
   for (int b = 0; b < pairs_.blocks.count(); ++b) {
     numbers.push_back(pairs_.blocks.all[b].number);
-    partial.insert(partial.end(), {summaries_[b].strain_energy, summaries_[b].hourglass_energy});
+    partial.insert(partial.end(), {summaries_[b].strain_energy, summaries_[b].hourglass_energy, summaries_[b].plastic_work});
   }
-  const std::vector<double> sums = sum_over_blocks(comm_, numbers, partial, 2);
-  return {sums[0], sums[1]};
+  const std::vector<double> sums = sum_over_blocks(comm_, numbers, partial, 3);
+  return {sums[0], sums[1], sums[2]};
 }
 
 template <int D>
@@ -212,7 +228,7 @@ Vec<double, D> TotalLagrangian<D>::toward_neighbors(const Particles<D>& particle
 
 template <int D>
 std::size_t TotalLagrangian<D>::bytes() const {
-  std::size_t bytes = pairs_.bytes() + weights_.bytes() + spilled_.bytes();
+  std::size_t bytes = pairs_.bytes() + weights_.bytes() + history_.bytes() + spilled_.bytes();
   for (const BlockScratch<D>& scratch : scratches_) bytes += scratch.bytes();
   return bytes;
 }

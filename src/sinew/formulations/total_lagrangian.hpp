@@ -11,7 +11,7 @@
 #include <memory>
 #include <optional>
 #include <sinew/core/function_ref.hpp>
-#include <sinew/formulations/material_point.hpp>
+#include <sinew/formulations/history.hpp>
 #include <sinew/formulations/pair_weights.hpp>
 #include <sinew/neighbors/block_scratch.hpp>
 #include <sinew/parallel/share.hpp>
@@ -23,6 +23,8 @@ namespace sinew {
 struct ForceSummary {
   double strain_energy = 0.0;      ///< sum V psi [energy]; not finite if any particle is not
   double hourglass_energy = 0.0;   ///< measure of the energy in the hourglass stiffness [energy]
+  double released = 0.0;           ///< what the hourglass stiffness has lost since the last step, since flow has softened it [energy]
+  double plastic_work = 0.0;       ///< dissipated in all of the past [energy]
   double smallest_jacobian = 1.0;  ///< min det F
   double largest_rate2 = 0.0;      ///< max of (fastest wave speed / length)^2 [1/time^2]
   bool finite = true;              ///< whether all of it is a number
@@ -34,6 +36,7 @@ struct RecordedState {
   VectorField<9> stress;                ///< first Piola-Kirchhoff, likewise
   AlignedArray<double> energy_density;
   AlignedArray<double> hourglass_error;  ///< largest |F X - x| / |X| over the neighbors; empty if nobody wants it
+  VectorField<3> plastic;  ///< plastic strain, plastic work [pressure], temperature [K]; empty if no material has a history
   explicit RecordedState(int slots) : deformation_gradient(slots), stress(slots), energy_density(slots) {}
 };
 
@@ -50,7 +53,7 @@ struct TotalLagrangianOptions {
 
 /// Energies of all particles of all ranks.
 struct StoredEnergy {
-  double strain = 0.0, hourglass = 0.0;
+  double strain = 0.0, hourglass = 0.0, plastic_work = 0.0;
 };
 
 /// Whether pairs of regular arrangements can go without a list.
@@ -74,14 +77,18 @@ class TotalLagrangian {
 
   /// Called with slots [begin, end) whose forces are complete, as soon as they are, from any thread.
   using Finish = FunctionRef<void(int begin, int end)>;
-  /// Adds the pair forces of the current displacements to `forces`. With `record` it keeps F, P and energies of every particle besides.
-  ForceSummary internal_forces(Particles<D>& particles, VectorField<D>& forces, Finish finish,
-                               RecordedState* record = nullptr) const;
-  ForceSummary internal_forces(Particles<D>& particles, VectorField<D>& forces) const;
-  /// The same sweep for what it keeps alone.
-  ForceSummary record(Particles<D>& particles, RecordedState& state) const;
-  /// Of the state of the last sweep.
+  /// Adds the pair forces of the current displacements to `forces`, and takes the histories of the materials with it, over the time `dt`. With
+  /// `record` it keeps F, P and energies of every particle besides.
+  ForceSummary internal_forces(Particles<D>& particles, VectorField<D>& forces, double dt, Finish finish,
+                               RecordedState* record = nullptr);
+  ForceSummary internal_forces(Particles<D>& particles, VectorField<D>& forces);
+  /// The same sweep for what it keeps alone; histories stay.
+  ForceSummary record(Particles<D>& particles, RecordedState& state);
+  /// Of the state of the last evaluation of the forces.
   StoredEnergy stored_energy() const;
+  /// Of the last evaluation, block by block.
+  const std::vector<ForceSummary>& block_summaries() const { return summaries_; }
+  HistoryStore& history() { return history_; }
 
   /// Upper limit of the time step from the hourglass stiffness, 2 / omega; infinity without it.
   double hourglass_time_step() const { return hourglass_time_step_; }
@@ -94,26 +101,29 @@ class TotalLagrangian {
   std::size_t bytes() const;
 
  private:
-  SweepTask<D> task_of(int block, const PairSource<D>& source, const WeightOptions& weights, RecordedState* record) const;
+  SweepTask<D> task_of(int block, const PairSource<D>& source, const WeightOptions& weights, PointStep step,
+                       RecordedState* record);
   template <class Work>
-  void sweep_blocks(Particles<D>& particles, Work&& work, bool forces_go_back) const;
-  ForceSummary total() const;
+  void sweep_blocks(Particles<D>& particles, Work&& work, bool forces_go_back);
+  static ForceSummary total(const std::vector<ForceSummary>& of_blocks);
 
   WeightOptions weight_options() const;
   void choose_weights();
-  void prepare_scratch() const;
+  void prepare_scratch();
 
   TotalLagrangianOptions options_;
   Comm comm_;
-  mutable Halo halo_;
+  Halo halo_;
   BlockPairs<D> pairs_;
   std::vector<int> inner_, edge_;  ///< blocks that reach no copies, and those that do
-  mutable BlockCountdown countdown_;
+  BlockCountdown countdown_;
   PairWeights<D> weights_;
   double hourglass_time_step_ = infinity;
-  mutable std::vector<ForceSummary> summaries_;     ///< scratch, one a block
-  mutable VectorField<D> spilled_;                  ///< scratch: forces on ghosts
-  mutable std::vector<BlockScratch<D>> scratches_;  ///< one a thread
+  HistoryStore history_;
+  std::vector<ForceSummary> summaries_;     ///< one a block, of the last evaluation of the forces
+  std::vector<ForceSummary> recorded_;      ///< scratch, likewise of record()
+  VectorField<D> spilled_;                  ///< scratch: forces on ghosts
+  std::vector<BlockScratch<D>> scratches_;  ///< one a thread
 };
 
 extern template class TotalLagrangian<2>;

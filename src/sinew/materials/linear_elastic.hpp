@@ -10,7 +10,6 @@ struct LinearElastic {
   static constexpr std::string_view name = "linear_elastic";
   static constexpr std::string_view summary = "Small-strain linear elasticity (not rotation invariant)";
   static constexpr std::string_view source = "Ren et al. (2020), eq. 45";
-  using State = NoState;
   double density = 0.0;
   ElasticConstants elastic;
 
@@ -20,12 +19,12 @@ struct LinearElastic {
   }
 
   template <class M>
-  SINEW_INLINE Response<M, NoState> respond(const M& F, const NoState& = {}, double = 0.0) const {
+  SINEW_INLINE Response<M> respond(const M& F) const {
     using T = ScalarOf<M>;
     const M I = M::identity();
     const M e = T(0.5) * (F + transpose(F)) - I;
     const T dilation = trace(e);
-    Response<M, NoState> r;
+    Response<M> r;
     r.P = (T(elastic.lambda()) * dilation) * I + T(2.0 * elastic.mu()) * e;
     r.energy = T(0.5 * elastic.lambda()) * dilation * dilation + T(elastic.mu()) * double_dot(e, e);
     return r;

@@ -6,16 +6,25 @@
 ///
 ///     struct Name {
 ///       static constexpr std::string_view name, summary, source;
-///       using State = NoState;                       // history of one particle, a plain struct, owned by the solver
 ///       double density; ElasticConstants elastic; ...
 ///       static void describe(auto&& field, auto& m);
-///       template <class M> Response<M, State> respond(const M& F, const State& old, double dt) const;
-///       template <class T> Tangent<T> tangent(const Mat3<T>& F) const;      // dP/dF [Pa]; materials without history
+///       template <class M> Response<M> respond(const M& F) const;
+///       template <class T> Tangent<T> tangent(const Mat3<T>& F) const;      // dP/dF [Pa]
 ///       template <class M> ScalarOf<M> acoustic_stiffness(const M& F) const;
 ///     };
 ///
+/// A material with history has instead
+///
+///       template <class M> using History = ...;      // of one particle: a plain struct, all zeros in the virgin state
+///       template <class M> Response<M> respond(const M& F, History<M>& history, double dt) const;  // makes the old history the new one
+///       template <class M> Response<M> recall(const M& F, const History<M>& history) const;        // of a history that is new already
+///       template <class T> Tangent<T> tangent(const Mat3<T>& F, const History<Mat3<T>>& old, double dt) const;
+///       template <class M> ScalarOf<M> acoustic_stiffness(const M& F, const M& P) const;
+///
+/// The solver owns the histories and decides when the new one is kept. A history lists its numbers in `numbers(history, use)`, so that it can be
+/// stored; see J2 for what else it may say about itself.
+///
 /// All but `describe` carry SINEW_INLINE or SINEW_POINTWISE, so that a device has them too (tools/check_device.py).
-/// `respond` is pure: it may be called any number of times; the solver commits the state that it returns.
 /// `acoustic_stiffness` bounds from above the largest eigenvalue of the acoustic tensor A_iJkL N_J N_L over all unit N [Pa], with
 /// equality in the unstrained state; sqrt of it over the reference density is the fastest wave speed in the reference frame. It may be
 /// tighter for a PlaneMatrix than for the same state as a Mat3.
@@ -29,15 +38,15 @@
 
 namespace sinew {
 
-struct NoState {};
-
-/// P: first Piola-Kirchhoff stress [Pa], P = d energy / d F. energy: strain energy per reference volume [J/m^3].
-template <class M, class State>
+/// P: first Piola-Kirchhoff stress [Pa]. energy: strain energy per reference volume [J/m^3]; without history P = d energy / d F.
+template <class M>
 struct Response {
   M P;
   ScalarOf<M> energy;
-  State state;
 };
+
+template <class Material>
+concept HasHistory = requires { typename Material::template History<Mat3<double>>; };
 
 /// Largest eigenvalue of a symmetric 3 x 3 matrix, bounded from above to within rounding. It is mean + p y with p^2 = |deviator|^2 / 6 and y the
 /// largest root of y^3 - 3 y = t, t = det(deviator) / p^3. One step of Newton's method from y = 2 stays above that root, since it is the largest

@@ -11,7 +11,6 @@ struct NeoHookean {
   static constexpr std::string_view summary = "Compressible neo-Hookean solid with a logarithmic volume term";
   static constexpr std::string_view source =
       "Ganzenmueller (2015), eq. 44; Ren et al. (2020), eq. 59; Bonet & Wood (2008), sec. 6.4.3";
-  using State = NoState;
   double density = 0.0;
   ElasticConstants elastic;
 
@@ -21,14 +20,14 @@ struct NeoHookean {
   }
 
   template <class M>
-  SINEW_INLINE Response<M, NoState> respond(const M& F, const NoState& = {}, double = 0.0) const {
+  SINEW_INLINE Response<M> respond(const M& F) const {
     using std::log;
     using T = ScalarOf<M>;
     const T lambda(elastic.lambda()), mu(elastic.mu());
     const M H = cofactor(F);
     const T J = determinant(F);
     const T log_J = log(J);
-    Response<M, NoState> r;
+    Response<M> r;
     r.P = mu * F + ((lambda * log_J - mu) / J) * H;
     r.energy = T(0.5) * mu * (double_dot(F, F) - T(3.0)) + log_J * (T(0.5) * lambda * log_J - mu);
     return r;

@@ -12,7 +12,6 @@ struct NeoHookeanIsochoric {
   static constexpr std::string_view summary =
       "Neo-Hookean solid whose shear part does not change with volume; for nearly incompressible rubber";
   static constexpr std::string_view source = "Ren et al. (2020), eq. 46; Wiragunarsa et al. (2024), eq. 17-18";
-  using State = NoState;
   double density = 0.0;
   ElasticConstants elastic;
 
@@ -22,13 +21,13 @@ struct NeoHookeanIsochoric {
   }
 
   template <class M>
-  SINEW_INLINE Response<M, NoState> respond(const M& F, const NoState& = {}, double = 0.0) const {
+  SINEW_INLINE Response<M> respond(const M& F) const {
     using T = ScalarOf<M>;
     const double kappa = elastic.bulk_modulus, mu = elastic.mu();
     const M H = cofactor(F);
     const T J = determinant(F);
     const T square = double_dot(F, F), growth = J - T(1.0), m = shape_modulus(J);
-    Response<M, NoState> r;
+    Response<M> r;
     r.P = m * F + (T(kappa) * growth - T(1.0 / 3.0) * m * square / J) * H;
     r.energy = T(0.5) * (m * square - T(3.0 * mu)) + T(0.5 * kappa) * growth * growth;
     return r;

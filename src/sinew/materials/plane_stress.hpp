@@ -11,7 +11,6 @@ namespace sinew {
 template <class Material>
 struct PlaneStress : Material {
   using Bulk = Material;  ///< the law that holds once F33 is known
-  using State = typename Material::State;
   static constexpr int most_steps = 50;
   static constexpr double tolerance = 1e-12;  ///< of the last Newton step over the stretch; its error is the square of that
 
@@ -38,8 +37,8 @@ struct PlaneStress : Material {
   /// The response of the material at the solved stretch; P33 is zero to within rounding. The energy is that of the plane-stress
   /// state, so that P is still its derivative in the plane.
   template <class M>
-  SINEW_POINTWISE Response<M, State> respond(const M& F, const State& old = {}, double dt = 0.0) const {
-    return Material::respond(with_thickness(F, thickness_stretch(F)), old, dt);
+  SINEW_POINTWISE Response<M> respond(const M& F) const {
+    return Material::respond(with_thickness(F, thickness_stretch(F)));
   }
 
   /// dP/dF in the plane with F33 following: A_ab - A_a33 A_33b / A_3333. Rows and columns of 33 are zero.

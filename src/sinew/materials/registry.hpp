@@ -2,6 +2,10 @@
 /// The materials, one line each.
 
 #include <sinew/core/registry.hpp>
+#include <sinew/materials/hardening/johnson_cook.hpp>
+#include <sinew/materials/hardening/linear.hpp>
+#include <sinew/materials/hardening/voce.hpp>
+#include <sinew/materials/j2.hpp>
 #include <sinew/materials/linear_elastic.hpp>
 #include <sinew/materials/neo_hookean.hpp>
 #include <sinew/materials/neo_hookean_isochoric.hpp>
@@ -9,7 +13,9 @@
 
 namespace sinew {
 
-using Materials = TypeList<LinearElastic, StVenantKirchhoff, NeoHookean, NeoHookeanIsochoric>;
+using ElasticMaterials = TypeList<LinearElastic, StVenantKirchhoff, NeoHookean, NeoHookeanIsochoric>;
+using PlasticMaterials = TypeList<J2<LinearHardening>, J2<VoceHardening>, J2<JohnsonCookHardening>>;
+using Materials = Joined<ElasticMaterials, PlasticMaterials>;
 using AnyMaterial = Materials::Variant;
 
 }  // namespace sinew

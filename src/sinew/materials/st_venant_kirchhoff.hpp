@@ -11,7 +11,6 @@ struct StVenantKirchhoff {
   static constexpr std::string_view name = "st_venant_kirchhoff";
   static constexpr std::string_view summary = "Linear law between Green-Lagrange strain and second Piola-Kirchhoff stress";
   static constexpr std::string_view source = "Ganzenmueller (2015), eq. 18-20";
-  using State = NoState;
   double density = 0.0;
   ElasticConstants elastic;
 
@@ -21,11 +20,11 @@ struct StVenantKirchhoff {
   }
 
   template <class M>
-  SINEW_INLINE Response<M, NoState> respond(const M& F, const NoState& = {}, double = 0.0) const {
+  SINEW_INLINE Response<M> respond(const M& F) const {
     using T = ScalarOf<M>;
     const M E = green_lagrange(F);
     const T dilation = trace(E);
-    Response<M, NoState> r;
+    Response<M> r;
     r.P = F * second_piola_kirchhoff(E);
     r.energy = T(0.5 * elastic.lambda()) * dilation * dilation + T(elastic.mu()) * double_dot(E, E);
     return r;

@@ -24,6 +24,9 @@ const std::vector<QuantityInfo>& particle_quantities() {
       {"force", vector, "N", "Total force on the particle."},
       {"hourglass_error", scalar, "1", "Largest departure of a pair from the deformation gradient, over its reference distance."},
       {"thickness_stretch", scalar, "1", "Stretch F33 across the plane; two dimensions only."},
+      {"plastic_strain", scalar, "1", "Equivalent plastic strain; 0 in elastic materials."},
+      {"plastic_work", scalar, "J/m^3", "Plastic work per reference volume; 0 in elastic materials."},
+      {"temperature", scalar, "K", "Temperature; 0 in materials that know none."},
   };
   return list;
 }
@@ -35,7 +38,8 @@ const std::vector<QuantityInfo>& total_quantities() {
       {"energy.hourglass", scalar, "J", "Energy of the treatment of zero-energy modes.", true},
       {"energy.external_work", scalar, "J", "Work done by loads, body forces and prescribed motions.", true},
       {"energy.total", scalar, "J", "Kinetic, strain and hourglass energy.", true},
-      {"energy.dissipated", scalar, "J", "Energy taken out by the damping.", true},
+      {"energy.dissipated", scalar, "J", "Energy taken out by damping and plastic flow.", true},
+      {"energy.plastic_work", scalar, "J", "Plastic work, part of the dissipated energy.", true},
       {"energy.balance_error", scalar, "J", "Total and dissipated energy minus external work and initial energy.", true},
       {"linear_momentum", vector, "kg m/s", "Sum of mass times velocity.", true},
       {"angular_momentum", vector, "kg m^2/s", "Sum of position cross mass times velocity, about the origin.", true},

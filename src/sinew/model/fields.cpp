@@ -122,6 +122,13 @@ Pack density_at(const QuantitySource<D>& from, const Eight& at) {
   return at.each([&](int slot) { return p.bodies[p.body_of(slot)].density; }) / determinant(gradient_at(from, at));
 }
 
+/// A component of RecordedState::plastic.
+template <int component, int D>
+Pack plastic_at(const QuantitySource<D>& from, const Eight& at) {
+  const VectorField<3>& plastic = from.record->plastic;
+  return plastic.empty() ? Pack(0.0) : at.of(plastic.component(component));
+}
+
 template <int D>
 const std::map<std::string_view, ParticleQuantity<D>>& quantities() {
   using S = const QuantitySource<D>&;
@@ -145,6 +152,9 @@ const std::map<std::string_view, ParticleQuantity<D>>& quantities() {
       {"strain_energy_density", quantity<D>([](S s, At i) { return i.of(s.record->energy_density.data()); })},
       {"hourglass_error", quantity<D>([](S s, At i) { return i.of(s.record->hourglass_error.data()); })},
       {"thickness_stretch", quantity<D>([](S s, At i) { return gradient_at(s, i)[2][2]; })},
+      {"plastic_strain", quantity<D>([](S s, At i) { return plastic_at<0>(s, i); })},
+      {"plastic_work", quantity<D>([](S s, At i) { return plastic_at<1>(s, i); })},
+      {"temperature", quantity<D>([](S s, At i) { return plastic_at<2>(s, i); })},
   };
   return list;
 }

@@ -32,6 +32,14 @@ std::string owner_of(const Node& entry, std::size_t number) {
   return name && name->is(Node::Kind::string) ? "body \"" + name->text + "\"" : "body " + std::to_string(number);
 }
 
+bool has_history(const AnyMaterial& any) {
+  return std::visit([]<class Material>(const Material&) { return HasHistory<Material>; }, any);
+}
+
+std::string name_of(const AnyMaterial& any) {
+  return std::visit([](const auto& material) { return std::string(material.name); }, any);
+}
+
 /// Reads one [[body]]; an inline material is put among the named ones.
 Node read_body(CaseReader& reader, BodyCase& body, const Node& entry, const std::string& owner, NamedMaterials& materials) {
   Node table = entry;
@@ -52,6 +60,9 @@ Node read_body(CaseReader& reader, BodyCase& body, const Node& entry, const std:
                     owner + ": " + unknown_name_message("material", body.material_name, names_of(materials)) + how);
   }
   body.material = found->second;
+  if (reader.result.general.dimension == 2 && reader.result.general.plane == PlaneState::stress && has_history(body.material))
+    throw CaseError(material->place, owner + ": material model \"" + name_of(body.material) +
+                                         "\" knows no plane stress; use plane = \"strain\" or three dimensions");
   body.place = entry.place;
   body.geometry_place = table.find("geometry")->place;
   return resolved;

@@ -52,6 +52,9 @@ void complete(T& object, const Node& node, const std::string& owner) {
   if constexpr (requires { object.elastic.complete(); })
     if (const std::optional<std::string> problem = object.elastic.complete())
       throw CaseError(node.place, owner + ": " + *problem);
+  if constexpr (requires { object.hardening.complete(); })
+    if (const std::optional<std::string> problem = object.hardening.complete())
+      throw CaseError(node.place, owner + ": " + *problem);
 }
 }  // namespace detail
 

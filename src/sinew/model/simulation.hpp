@@ -42,7 +42,8 @@ struct Energies {
   double kinetic = 0.0, strain = 0.0;
   double hourglass = 0.0;      ///< of the hourglass stiffness; a measure only for its central forms, which have no potential
   double external_work = 0.0;  ///< of reactions, loads and body force since the start
-  double dissipated = 0.0;     ///< by damping
+  double plastic_work = 0.0;
+  double dissipated = 0.0;     ///< by damping, plastic flow, and what the hourglass stiffness has lost to it
   double initial = 0.0;        ///< kinetic + strain + hourglass of the initial state
   double total() const { return kinetic + strain + hourglass; }
   /// total + dissipated - external_work - initial: 0 for exact time integration, but for central hourglass forces.

@@ -76,7 +76,7 @@ void SolidSimulation<D>::start() {
   motion_.remember(particles_);
   guard([&] { motion_.move(particles_, 0.0, 0.0); });
   update_forces(0.0);
-  initial_energy_ = energies().total();
+  initial_energy_ = energies().total() + energies().dissipated;
   initial_gravity_work_ = totals().gravity_work;
   first_time_step_ = stable_time_step();
   comm_.together([&] {
@@ -110,10 +110,11 @@ void SolidSimulation<D>::update_forces(double dt) {
   guard([&] { loads_.add(particles_, time_, dt, forces_); });
   timer_.mark("boundary");
   RecordedState* const recorded = std::exchange(record_expected_, false) ? &room_for_record() : nullptr;
-  summary_ = solid_.internal_forces(particles_, forces_,
+  summary_ = solid_.internal_forces(particles_, forces_, dt,
                                     AccelerateAndKick<D>{particles_, forces_, gravity_, dt, case_.solver.damping}, recorded);
   if (recorded) recorded_step_ = steps_;
   timer_.mark("forces and kick");
+  for (std::size_t b = 0; b < dissipated_.size(); ++b) dissipated_[b] += solid_.block_summaries()[b].released;
   guard([&] { motion_.hold(particles_, time_, dt, case_.solver.damping); });
   if (case_.solver.damping > 0.0) count_dissipation(dt);
   timer_.mark("boundary");
@@ -168,7 +169,8 @@ Energies SolidSimulation<D>::energies() {
   e.strain = stored_energy().strain;
   e.hourglass = stored_energy().hourglass;
   e.external_work = sums[0] + totals().gravity_work - initial_gravity_work_;
-  e.dissipated = sums[1];
+  e.plastic_work = stored_energy().plastic_work;
+  e.dissipated = sums[1] + e.plastic_work;
   e.initial = initial_energy_;
   return e;
 }
@@ -189,7 +191,10 @@ const StoredEnergy& SolidSimulation<D>::stored_energy() {
 
 template <int D>
 RecordedState& SolidSimulation<D>::room_for_record() {
-  if (!record_) record_ = std::make_unique<RecordedState>(particles_.slots);
+  if (!record_) {
+    record_ = std::make_unique<RecordedState>(particles_.slots);
+    if (solid_.history().width() > 0) record_->plastic = VectorField<3>(particles_.slots);
+  }
   if (wants_hourglass_error_ && record_->hourglass_error.size() != static_cast<std::size_t>(particles_.slots)) {
     record_->hourglass_error = AlignedArray<double>(particles_.slots);
     recorded_step_ = -1;

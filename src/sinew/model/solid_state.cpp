@@ -35,6 +35,33 @@ void from_users_order(const SavedState::Field& in, const UserOrder& order, Vecto
     for (int c = 0; c < D; ++c) field.at(c, slot) = rows[k++];
 }
 
+/// Calls use(row, number, value) for all numbers of the histories of the particles, row by row of the order's slots.
+template <int D, class Use>
+void for_each_number(HistoryStore& history, const Particles<D>& particles, const UserOrder& order, Use&& use) {
+  for (std::size_t row = 0; row < order.slots().size(); ++row) {
+    const int slot = order.slots()[row], block = particles.block_of(slot);
+    const HistorySlots of_block = history.of(block);
+    for (int n = 0; n < history.numbers(block); ++n)
+      use(row, n, of_block.values[static_cast<std::size_t>(n) * of_block.count + slot - of_block.first]);
+  }
+}
+
+template <int D>
+SavedState::Field in_users_order(HistoryStore& history, const Particles<D>& particles, const UserOrder& order) {
+  const int width = history.width();
+  std::vector<double> rows(order.slots().size() * width, 0.0);
+  for_each_number(history, particles, order, [&](std::size_t row, int n, double value) { rows[row * width + n] = value; });
+  rows = order.to_range(rows, width);
+  rows.resize(order.range().count * width);
+  return {width, std::move(rows)};
+}
+
+template <int D>
+void from_users_order(const SavedState::Field& in, const Particles<D>& particles, const UserOrder& order, HistoryStore& history) {
+  const std::vector<double> rows = order.from_range(in.rows, in.width);
+  for_each_number(history, particles, order, [&](std::size_t row, int n, double& value) { value = rows[row * in.width + n]; });
+}
+
 /// Rows {condition, particle, value} by condition and particle.
 std::vector<double> sorted_rows(const std::vector<double>& rows) {
   std::vector<std::array<double, 3>> sorted;
@@ -102,6 +129,7 @@ SavedState SolidSimulation<D>::save() {
   s.fields["reference_position"] = in_users_order(particles_.position, order_);
   s.fields["velocity"] = in_users_order(particles_.velocity, order_);
   s.fields["acceleration"] = in_users_order(particles_.acceleration, order_);
+  if (solid_.history().width() > 0) s.fields["history"] = in_users_order(solid_.history(), particles_, order_);
   std::vector<double> of_blocks, reactions;
   for (std::size_t b = 0; b < particles_.blocks.size(); ++b)
     of_blocks.insert(of_blocks.end(), {motion_.work()[b], loads_.work()[b], dissipated_[b], dissipation_rate_[b]});
@@ -114,6 +142,7 @@ SavedState SolidSimulation<D>::save() {
                {"first_time_step", first_time_step_},
                {"strain_energy", stored_energy().strain},
                {"hourglass_energy", stored_energy().hourglass},
+               {"plastic_work", stored_energy().plastic_work},
                {"smallest_jacobian", summary_.smallest_jacobian},
                {"largest_rate2", summary_.largest_rate2}};
   return s;
@@ -131,6 +160,7 @@ void SolidSimulation<D>::restore(const SavedState& s) {
   from_users_order(s.fields.at("displacement"), order_, particles_.displacement);
   from_users_order(s.fields.at("velocity"), order_, particles_.velocity);
   from_users_order(s.fields.at("acceleration"), order_, particles_.acceleration);
+  if (solid_.history().width() > 0) from_users_order(s.fields.at("history"), particles_, order_, solid_.history());
   time_ = s.time;
   steps_ = s.step;
   const std::vector<double>&of_blocks = s.arrays.at("blocks"), &reactions = s.arrays.at("reactions");
@@ -150,7 +180,7 @@ void SolidSimulation<D>::restore(const SavedState& s) {
   first_time_step_ = s.numbers.at("first_time_step");
   summary_.smallest_jacobian = s.numbers.at("smallest_jacobian");
   summary_.largest_rate2 = s.numbers.at("largest_rate2");
-  stored_ = {s.numbers.at("strain_energy"), s.numbers.at("hourglass_energy")};
+  stored_ = {s.numbers.at("strain_energy"), s.numbers.at("hourglass_energy"), s.numbers.at("plastic_work")};
   recorded_step_ = totals_step_ = -1;
   stored_step_ = steps_;
 }

@@ -16,7 +16,7 @@ namespace sinew {
 ///
 /// with a_ij = |dW/dr| / r [1/m^(D+2)], f in N and w in N/m. Conservative is the gradient of sum w |e|^2 / 2, since F_i (with the gradient correction) is what minimizes
 /// that sum; it is the energy of Ren et al. (2020), eq. 21-27, with alpha E / 64 as its penalty modulus. Central is the published force, Ganzenmueller
-/// (2015), eq. 25-32, and Islam & Peng (2019), eq. 42-47. Central has no potential: undamped, it feeds high-frequency
+/// (2015), eq. 25-32, and Islam & Peng (2019), eq. 42-47; the switch is from the former, sec. 4.5. Central has no potential: undamped, it feeds high-frequency
 /// motion at large strains or on uneven particles until the run fails (docs/decisions/0003). Both conserve linear and angular momentum.
 struct HourglassStiffness {
   static constexpr std::string_view name = "hourglass_stiffness";
@@ -27,6 +27,7 @@ struct HourglassStiffness {
 
   double alpha = 50.0;
   Choice normalization{"conservative", {"conservative", "half", "printed"}};
+  bool plastic_switch = true;
 
   static void describe(auto&& field, auto& m) {
     field("alpha", m.alpha, "1", "Coefficient of the hourglass stiffness.", non_negative, optional);
@@ -34,6 +35,10 @@ struct HourglassStiffness {
           "conservative: gradient of an energy, about as stiff as half; half: the published central force with alpha/4 a "
           "particle, which gives the "
           "published results; printed: with alpha/2, as the first paper prints it.",
+          any_number, optional);
+    field("plastic_switch", m.plastic_switch, "1",
+          "Where plastic strain is, the yield stress of the virgin material takes the place of Young's modulus; otherwise the "
+          "control resists plastic flow.",
           any_number, optional);
   }
 

@@ -49,7 +49,7 @@ template <class... Ts>
 struct AsTestTypes<TypeList<Ts...>> {
   using Type = ::testing::Types<Ts...>;
 };
-using MaterialTypes = AsTestTypes<Materials>::Type;
+using MaterialTypes = AsTestTypes<ElasticMaterials>::Type;
 
 struct MaterialNames {
   template <class Material>

@@ -56,6 +56,31 @@ TEST(Pack, CubeRootIsWithinTwoUnitsInTheLastPlace) {
   EXPECT_LE(largest_distance([](Pack x) { return cbrt(x); }, exact), 2.0);
 }
 
+TEST(Pack, ExponentialIsWithinTwoUnitsInTheLastPlace) {
+  std::mt19937_64 random(9);
+  std::uniform_real_distribution<double> small(-1e-3, 1e-3), large(-700.0, 700.0);
+  double worst = 0.0;
+  for (int trial = 0; trial < 20000; ++trial) {
+    Pack x;
+    for (int k = 0; k < lanes; ++k) x.set(k, k % 2 == 0 ? small(random) : large(random));
+    const Pack y = exp(x);
+    for (int k = 0; k < lanes; ++k) worst = std::max(worst, units_in_last_place(y[k], std::exp(x[k])));
+  }
+  EXPECT_LE(worst, 2.0);
+}
+
+TEST(Pack, ExponentialAtTheEdges) {
+  Pack x(0.0);
+  x.set(1, -1e300), x.set(2, 1e300), x.set(3, -INFINITY), x.set(4, INFINITY), x.set(5, std::nan(""));
+  const Pack y = exp(x);
+  EXPECT_EQ(y[0], 1.0);
+  EXPECT_EQ(y[1], 0.0);
+  EXPECT_EQ(y[2], INFINITY);
+  EXPECT_EQ(y[3], 0.0);
+  EXPECT_EQ(y[4], INFINITY);
+  EXPECT_TRUE(std::isnan(y[5]));
+}
+
 TEST(Pack, LogarithmAtTheEdges) {
   Pack x(1.0);
   x.set(1, 0.0);
