@@ -176,7 +176,7 @@ struct J2 {
   template <class M>
   SINEW_INLINE Flow<ScalarOf<M>> flow_from(const ScalarOf<M>& q, const History<M>& history, double dt) const {
     using T = ScalarOf<M>;
-    const PlasticPoint<T> at{history.strain, T(0.0), temperature(history)};
+    const PlasticPoint<T> at{history.strain, T(0.0), strength_left(history)};
     const T mu3(3.0 * elastic.mu());
     const FlowStress<T> start = hardening.flow_stress(at);
     const T excess = max(q - start.value, T(0.0));
@@ -191,11 +191,19 @@ struct J2 {
   SINEW_INLINE ScalarOf<M> slope_after(const ScalarOf<M>& q, const History<M>& history, double dt) const {
     using T = ScalarOf<M>;
     const T D = flow_from(q, history, dt).increment;
-    return slope_in_step(hardening.flow_stress(PlasticPoint<T>{history.strain + D, rate_of(D, dt), temperature(history)}), dt);
+    return slope_in_step(hardening.flow_stress(PlasticPoint<T>{history.strain + D, rate_of(D, dt), strength_left(history)}), dt);
   }
   template <class T>
   static SINEW_INLINE T slope_in_step(const FlowStress<T>& flow, double dt) {
     return flow.strain_slope + (dt > 0.0 ? T(1.0 / dt) : T(0.0)) * flow.rate_slope;
+  }
+
+  template <class M>
+  SINEW_INLINE ScalarOf<M> strength_left(const History<M>& history) const {
+    if constexpr (requires { hardening.strength_left(history.work); })
+      return hardening.strength_left(temperature(history));
+    else
+      return ScalarOf<M>(1.0);
   }
 
   template <class T>
@@ -204,11 +212,12 @@ struct J2 {
   }
 
   /// D with q - 3 mu D = sigma_y(e_p + D, D / dt) by Newton's method from `guess`, 0 where that is 0; where a step leaves what is known to hold the
-  /// root it is halved. The error is the square of the last change.
+  /// root it is halved. The error is the square of the last change. Laws that depend on ln D are solved for ln D.
   template <class T>
   SINEW_INLINE T solve(const T& q, const T& guess, const PlasticPoint<T>& start, double dt) const {
     constexpr int most_steps = 60;
     constexpr double tolerance = 1e-8;
+    using std::exp;
     const T mu3(3.0 * elastic.mu());
     PlasticPoint<T> at = start;
     T low(0.0), high = q / mu3, D = guess;
@@ -220,7 +229,8 @@ struct J2 {
       const T excess = q - mu3 * D - flow.value;
       low = select(excess > T(0.0), D, low);
       high = select(excess > T(0.0), high, D);
-      T next = D + excess / (mu3 + slope_in_step(flow, dt));
+      const T change_of_D = excess / (mu3 + slope_in_step(flow, dt));
+      T next = Hardening::depends_on_rate ? D * exp(change_of_D / max(D, T(1e-300))) : D + change_of_D;
       next = select((next >= low) & (next <= high), next, T(0.5) * (low + high));
       const T change = select(active, next - D, T(0.0));
       D = D + change;

@@ -17,8 +17,10 @@ class J2Contract : public ::testing::Test {
   History some_history() { return random_history(material, random, here); }
   /// The flow stress in the rate of the step from `old` to `now`; its temperature is that of `old`.
   double flow_stress(const History& old, const History& now) const {
-    return material.hardening.flow_stress(PlasticPoint<double>{now.strain, (now.strain - old.strain) / dt, material.temperature(old)})
-        .value;
+    PlasticPoint<double> at{now.strain, (now.strain - old.strain) / dt, 1.0};
+    if constexpr (requires { material.hardening.strength_left(1.0); })
+      at.strength_left = material.hardening.strength_left(material.temperature(old));
+    return material.hardening.flow_stress(at).value;
   }
 };
 TYPED_TEST_SUITE(J2Contract, PlasticTypes, MaterialNames);

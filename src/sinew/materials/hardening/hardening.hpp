@@ -3,11 +3,13 @@
 ///
 ///     struct Name {
 ///       static constexpr std::string_view name, summary, source;
-///       static constexpr bool linear = false;        // the flow stress is a linear function of the plastic strain alone
+///       static constexpr bool linear = false;           // the flow stress is a linear function of the plastic strain alone
+///       static constexpr bool depends_on_rate = false;  // it grows with the logarithm of the rate
 ///       double yield_stress; ...                     // of the virgin material [Pa]
 ///       static void describe(auto&& field, auto& m);
 ///       template <class T> FlowStress<T> flow_stress(const PlasticPoint<T>& at) const;
-///       template <class T> T temperature(const T& plastic_work, double density) const;    // [K]; only where it is known
+///       template <class T> T temperature(const T& plastic_work, double density) const;    // [K]; only where it is known, and with it
+///       template <class T> T strength_left(const T& temperature) const;                   // factor of the flow stress
 ///     };
 
 #include <sinew/core/pack.hpp>
@@ -18,9 +20,9 @@ namespace sinew {
 
 template <class T>
 struct PlasticPoint {
-  T strain;       ///< equivalent plastic strain [1]
-  T rate;         ///< its rate [1/s]; 0: as slow as the law knows
-  T temperature;  ///< [K]; only for laws that tell one
+  T strain;         ///< equivalent plastic strain [1]
+  T rate;           ///< its rate [1/s]; 0: as slow as the law knows
+  T strength_left;  ///< factor of the flow stress, for laws with a temperature
 };
 
 template <class T>

@@ -13,6 +13,7 @@ struct JohnsonCookHardening {
   static constexpr std::string_view summary = "Metal plasticity with hardening by strain and rate and softening by its own heat";
   static constexpr std::string_view source = "Johnson & Cook (1983)";
   static constexpr bool linear = false;
+  static constexpr bool depends_on_rate = true;
   double yield_stress = 0.0, hardening_modulus = 0.0, hardening_exponent = 1.0;
   double rate_coefficient = 0.0, reference_rate = infinity;
   double thermal_exponent = 1.0, reference_temperature = 293.15, melting_temperature = infinity, specific_heat = infinity,
@@ -50,17 +51,21 @@ struct JohnsonCookHardening {
   }
 
   template <class T>
+  SINEW_INLINE T strength_left(const T& temperature) const {
+    const T heated = (temperature - T(reference_temperature)) / T(melting_temperature - reference_temperature);
+    return T(1.0) - power(min(max(heated, T(0.0)), T(1.0)), thermal_exponent);
+  }
+
+  template <class T>
   SINEW_INLINE FlowStress<T> flow_stress(const PlasticPoint<T>& at) const {
     using std::log;
     const T strain = max(at.strain, T(1e-14));  // the slope at 0 is not finite for n < 1
     const T hardened = T(hardening_modulus) * power(strain, hardening_exponent);
-    const T fast = max(at.rate / T(reference_rate), T(1.0));
-    const T by_rate = T(1.0) + T(rate_coefficient) * log(fast);
-    const T heated = (at.temperature - T(reference_temperature)) / T(melting_temperature - reference_temperature);
-    const T softened = T(1.0) - power(min(max(heated, T(0.0)), T(1.0)), thermal_exponent);
-    const T slow = (T(yield_stress) + hardened) * softened;
-    return {slow * by_rate, T(hardening_exponent) * hardened / strain * by_rate * softened,
-            select(fast > T(1.0), slow * T(rate_coefficient) / max(at.rate, T(reference_rate)), T(0.0))};
+    const T fast = max(at.rate * T(1.0 / reference_rate), T(1.0));
+    const T by_rate = at.strength_left * (T(1.0) + T(rate_coefficient) * log(fast));
+    const T slow = T(yield_stress) + hardened, by_fast = at.strength_left * slow * T(rate_coefficient);
+    return {slow * by_rate, T(hardening_exponent) * hardened / strain * by_rate,
+            select(fast > T(1.0), by_fast / max(at.rate, T(reference_rate)), T(0.0))};
   }
 };
 

@@ -10,6 +10,7 @@ struct LinearHardening {
   static constexpr std::string_view summary = "Metal plasticity with constant or linearly growing yield stress";
   static constexpr std::string_view source = "Bonet & Wood (2008), sec. 7.6; Ganzenmueller (2015), sec. 4.5";
   static constexpr bool linear = true;
+  static constexpr bool depends_on_rate = false;
   double yield_stress = 0.0, hardening_modulus = 0.0;
 
   static void describe(auto&& field, auto& m) {

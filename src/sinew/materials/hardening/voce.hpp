@@ -10,6 +10,7 @@ struct VoceHardening {
   static constexpr std::string_view summary = "Metal plasticity whose yield stress saturates, with a linear part besides";
   static constexpr std::string_view source = "Voce (1948); Simo & Hughes (1998), sec. 9.2 (with the linear part)";
   static constexpr bool linear = false;
+  static constexpr bool depends_on_rate = false;
   double yield_stress = 0.0, saturation_stress = 0.0, saturation_rate = 0.0, hardening_modulus = 0.0;
 
   static void describe(auto&& field, auto& m) {
