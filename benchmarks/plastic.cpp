@@ -20,7 +20,8 @@ J2<Hardening> metal() {
   m.elastic = material().elastic;
   m.hardening.yield_stress = 0.003;
   m.hardening.hardening_modulus = 0.01;
-  if constexpr (requires { m.hardening.saturation_stress; }) m.hardening.saturation_stress = 0.006, m.hardening.saturation_rate = 10.0;
+  if constexpr (requires { m.hardening.saturation_stress; })
+    m.hardening.saturation_stress = 0.006, m.hardening.saturation_rate = 10.0;
   if constexpr (requires { m.hardening.rate_coefficient; }) {
     m.hardening.hardening_exponent = 0.4;
     m.hardening.rate_coefficient = 0.02, m.hardening.reference_rate = 1e-4;
@@ -78,9 +79,9 @@ void compare(int n, double jitter, int repeats) {
     ratio.push_back(elastic_seconds.back() / plastic_seconds.back());
   }
   const auto count = static_cast<double>(elastic.count());
-  fmt::print("| {} {}^{} {} | {:.2f} | {:.2f} | {:.0f} % | {:+.0f} % |\n", Hardening::name, n, D, jitter > 0.0 ? "jittered" : "lattice",
-             1e-6 * count / median(elastic_seconds), 1e-6 * count / median(plastic_seconds), 100.0 * median(ratio),
-             100.0 * (plastic.plastic_work() / before - 1.0));
+  fmt::print("| {} {}^{} {} | {:.2f} | {:.2f} | {:.0f} % | {:+.0f} % |\n", Hardening::name, n, D,
+             jitter > 0.0 ? "jittered" : "lattice", 1e-6 * count / median(elastic_seconds),
+             1e-6 * count / median(plastic_seconds), 100.0 * median(ratio), 100.0 * (plastic.plastic_work() / before - 1.0));
 }
 
 template <class Hardening>
@@ -97,7 +98,8 @@ int main(int argc, char** argv) {
   using namespace sinew;
   const int repeats = argc > 1 ? std::atoi(argv[1]) : 7;
   omp_set_num_threads(1);
-  fmt::print("| block | elastic, million particle-steps/s | plastic | plastic / elastic | growth of the plastic work meanwhile |\n");
+  fmt::print(
+      "| block | elastic, million particle-steps/s | plastic | plastic / elastic | growth of the plastic work meanwhile |\n");
   fmt::print("|---|---|---|---|---|\n");
   benchmark::compare_all<LinearHardening>(repeats);
   benchmark::compare_all<VoceHardening>(repeats);

@@ -10,7 +10,7 @@ import re
 import sys
 from pathlib import Path
 
-PHYSICS = {"kernels", "corrections", "materials", "stabilization"}
+PHYSICS = {"kernels", "corrections", "materials", "stabilization", "contact_laws"}
 SOLVER = {"core", "particles", "neighbors", "parallel"} | PHYSICS
 
 # Folder -> the folders it may include besides itself.
@@ -21,10 +21,11 @@ MAY_INCLUDE = {
     "neighbors": {"core", "particles"},
     "parallel": {"core", "particles", "neighbors"},
     "formulations": SOLVER,
-    "time": SOLVER | {"formulations"},
-    "model": SOLVER | {"formulations", "time"},
+    "contact": SOLVER,
+    "time": SOLVER | {"formulations", "contact"},
+    "model": SOLVER | {"formulations", "contact", "time"},
     "io": {"core", "particles", "parallel"},
-    "cli": SOLVER | {"formulations", "time", "model", "io"},
+    "cli": SOLVER | {"formulations", "contact", "time", "model", "io"},
 }
 
 # Third-party header -> the files (patterns under src/sinew) that may include it.
@@ -43,7 +44,7 @@ THIRD_PARTY = {
 
 # The operating system and the compiler: not everywhere either.
 SYSTEM = {
-    "omp.h": ["neighbors/*", "formulations/*", "time/*", "model/*", "cli/*"],
+    "omp.h": ["neighbors/*", "formulations/*", "contact/*", "time/*", "model/*", "cli/*"],
     "immintrin.h": ["core/*"],
     "unistd.h": ["io/*", "cli/*", "model/bodies.cpp"],
     "fcntl.h": ["io/*"],

@@ -13,7 +13,7 @@ static const std::vector<WrongCase> wrong_outputs{
      "checkpoint_every, fields, precision, picture_field, picture."},
     {"UnknownKeyInProbe", "component =", "componet =",
      "case.toml:37:1: probe \"tip\": unknown key \"componet\". Did you mean \"component\"? Known keys: name, quantity, region, "
-     "reduce, component, expression."},
+     "reduce, component, wall, expression."},
     {"UnknownKeyInExpect", "tolerance =", "tolerence =",
      "case.toml:41:1: expect 1: unknown key \"tolerence\". Did you mean \"tolerance\"? Known keys: quantity, value, tolerance, "
      "absolute, exact, with, why, source, note, tier."},

@@ -39,12 +39,12 @@ void check_path(double jitter) {
   for (int step = 1; step <= 12; ++step) {
     displace<D>(cloud.particles, path<D>(step), 0.0);
     const Response<Mat3<double>> expected = metal().respond(embed(path<D>(step), 1.0), history, 0.0);
-    solid.internal_forces(cloud.particles, forces, 0.0, [](int, int) {}, &recorded);
+    solid.internal_forces(
+        cloud.particles, forces, 0.0, [](int, int) {}, &recorded);
     if (step % 4 == 0) solid.record(cloud.particles, recorded);  // changes nothing
     double worst = 0.0, strain = 0.0;
     for (int slot : cloud.particles.slot_of) {
-      for (int c = 0; c < 9; ++c)
-        worst = std::max(worst, std::abs(recorded.stress.at(c, slot) - expected.P[c / 3][c % 3]));
+      for (int c = 0; c < 9; ++c) worst = std::max(worst, std::abs(recorded.stress.at(c, slot) - expected.P[c / 3][c % 3]));
       strain = std::max(strain, std::abs(recorded.plastic.at(0, slot) - history.strain));
       EXPECT_NEAR(recorded.plastic.at(1, slot), history.work, 1e-13);
     }
@@ -157,7 +157,8 @@ std::vector<Vec<double, 2>> second_forces(double alpha, bool plastic_switch) {
 
 /// The yield stress, E / 200, takes the place of Young's modulus.
 TEST(Plasticity, SwitchTakesTheYieldStressForTheModulus) {
-  const auto with_switch = second_forces(50.0, true), expected = second_forces(50.0 / 200.0, false), stiff = second_forces(50.0, false);
+  const auto with_switch = second_forces(50.0, true), expected = second_forces(50.0 / 200.0, false),
+             stiff = second_forces(50.0, false);
   double worst = 0.0, far = 0.0;
   for (std::size_t i = 0; i < with_switch.size(); ++i) {
     worst = std::max(worst, norm(with_switch[i] - expected[i]));

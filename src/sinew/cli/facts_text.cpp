@@ -49,7 +49,8 @@ std::string ranks_text(const ModelFacts& facts) {
 
 bool is_free(const Case& c) {
   const auto zero = [](const Expression& e) { return e.is_constant() && e(0.0) == 0.0; };
-  return c.boundary.empty() && c.solver.damping == 0.0 && std::all_of(c.body_force.begin(), c.body_force.end(), zero);
+  return c.boundary.empty() && c.walls.empty() && c.solver.damping == 0.0 &&
+         std::all_of(c.body_force.begin(), c.body_force.end(), zero);
 }
 
 std::string momentum_line(const std::string& name, const Point& now, const Point& start, const std::string& unit) {
@@ -84,16 +85,18 @@ std::string facts_text(const Case& c, const ModelFacts& facts) {
 
 std::string balance_text(const Case& c, const Energies& e, const Momenta& m, const Momenta& initial) {
   const UnitSystem& units = c.general.units;
-  std::string text =
-      fmt::format("energy [{}]: kinetic {:.6g}, strain {:.6g}, hourglass {:.6g}, work done {:.6g}, damped {:.6g}\n",
-                  units.name_of("J"), e.kinetic, e.strain, e.hourglass, e.external_work, e.dissipated);
-  if (e.strain > 0.0 && e.hourglass > 0.1 * e.strain)
+  std::string text = fmt::format(
+      "energy [{}]: kinetic {:.6g}, strain {:.6g}, hourglass {:.6g}, contact {:.6g}, work done {:.6g}, dissipated {:.6g}",
+      units.name_of("J"), e.kinetic, e.strain, e.hourglass, e.contact, e.external_work, e.dissipated);
+  text += e.plastic_work > 0.0 ? fmt::format(", of it plastic work {:.6g}\n", e.plastic_work) : "\n";
+  const double deformation = e.strain + e.plastic_work;
+  if (deformation > 0.0 && e.hourglass > 0.1 * deformation)
     text += fmt::format(
-        "  the hourglass energy is {:.0f} % of the strain energy: the particles are too coarse for this deformation, refine "
+        "  the hourglass energy is {:.0f} % of that of deformation: the particles are too coarse for this deformation, refine "
         "them\n",
-        100.0 * e.hourglass / e.strain);
-  text += fmt::format("  balance: total + damped - work - initial = {:.3e} ({:.1e} of the largest of them)\n", e.balance_error(),
-                      relative_balance_error(e));
+        100.0 * e.hourglass / deformation);
+  text += fmt::format("  balance: total + dissipated - work - initial = {:.3e} ({:.1e} of the largest of them)\n",
+                      e.balance_error(), relative_balance_error(e));
   text += momentum_line("linear momentum", m.linear, initial.linear, units.name_of("kg m/s")) + "\n";
   text += momentum_line("angular momentum", m.angular, initial.angular, units.name_of("kg m^2/s"));
   if (is_free(c) && m.linear_scale > 0.0)

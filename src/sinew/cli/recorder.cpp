@@ -19,7 +19,8 @@ std::vector<HistoryColumn> columns_of(const Case& c, const Simulation& simulatio
   const std::string time = units.name_of("s"), energy = units.name_of("J");
   const std::string linear = units.name_of("kg m/s"), angular = units.name_of("kg m^2/s");
   std::vector<HistoryColumn> columns{{"time", time}, {"step", ""}, {"dt", time}};
-  for (const char* name : {"kinetic", "strain", "hourglass", "total", "external_work", "dissipated", "balance_error"})
+  for (const char* name :
+       {"kinetic", "strain", "hourglass", "contact", "total", "external_work", "dissipated", "plastic_work", "balance_error"})
     columns.push_back({std::string("energy.") + name, energy});
   for (const char* axis : {"x", "y", "z"}) columns.push_back({std::string("linear_momentum.") + axis, linear});
   for (const char* axis : {"x", "y", "z"}) columns.push_back({std::string("angular_momentum.") + axis, angular});
@@ -77,8 +78,9 @@ std::vector<double> Recorder::row(double time_step) {
   std::vector<double> values{simulation.time(), static_cast<double>(simulation.steps()),
                              time_step,         e.kinetic,
                              e.strain,          e.hourglass,
-                             e.total(),         e.external_work,
-                             e.dissipated,      e.balance_error()};
+                             e.contact,         e.total(),
+                             e.external_work,   e.dissipated,
+                             e.plastic_work,    e.balance_error()};
   for (int i = 0; i < 3; ++i) values.push_back(m.linear[i]);
   for (int i = 0; i < 3; ++i) values.push_back(m.angular[i]);
   const std::vector<double> probes = simulation.probe_values();

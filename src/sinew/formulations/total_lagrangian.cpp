@@ -102,8 +102,8 @@ void TotalLagrangian<D>::prepare_scratch() {
 }
 
 template <int D>
-SweepTask<D> TotalLagrangian<D>::task_of(int index, const PairSource<D>& source, const WeightOptions& weights,
-                                         PointStep step, RecordedState* record) {
+SweepTask<D> TotalLagrangian<D>::task_of(int index, const PairSource<D>& source, const WeightOptions& weights, PointStep step,
+                                         RecordedState* record) {
   const Block& block = pairs_.blocks.all[index];
   BlockScratch<D>& scratch = scratches_[this_thread()];
   scratch.bring_in(block, source.particles);

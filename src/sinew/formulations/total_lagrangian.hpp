@@ -21,10 +21,10 @@ namespace sinew {
 
 /// What one evaluation of the forces says about the state, over all particles of this rank.
 struct ForceSummary {
-  double strain_energy = 0.0;      ///< sum V psi [energy]; not finite if any particle is not
-  double hourglass_energy = 0.0;   ///< measure of the energy in the hourglass stiffness [energy]
-  double released = 0.0;           ///< what the hourglass stiffness has lost since the last step, since flow has softened it [energy]
-  double plastic_work = 0.0;       ///< dissipated in all of the past [energy]
+  double strain_energy = 0.0;     ///< sum V psi [energy]; not finite if any particle is not
+  double hourglass_energy = 0.0;  ///< measure of the energy in the hourglass stiffness [energy]
+  double released = 0.0;      ///< what the hourglass stiffness has lost since the last step, since flow has softened it [energy]
+  double plastic_work = 0.0;  ///< dissipated in all of the past [energy]
   double smallest_jacobian = 1.0;  ///< min det F
   double largest_rate2 = 0.0;      ///< max of (fastest wave speed / length)^2 [1/time^2]
   bool finite = true;              ///< whether all of it is a number

@@ -169,8 +169,7 @@ struct J2 {
     using T = ScalarOf<M>;
     const T mu(elastic.mu()), K(elastic.bulk_modulus);
     const M tau = mu * h + (K * trial.log_J) * M::identity();
-    return {(T(1.0) / trial.J) * (tau * cofactor(F)),
-            T(0.25) * mu * double_dot(h, h) + T(0.5) * K * trial.log_J * trial.log_J};
+    return {(T(1.0) / trial.J) * (tau * cofactor(F)), T(0.25) * mu * double_dot(h, h) + T(0.5) * K * trial.log_J * trial.log_J};
   }
 
   template <class M>
@@ -278,8 +277,7 @@ struct J2 {
     for (int a = 0; a < 3; ++a) {
       moduli.tau[a] = mu * flow.left * h[a] + K * log_J;
       for (int b = 0; b < 3; ++b)
-        moduli.normal[a][b] =
-            K + T(2.0) * mu * (flow.left * T(a == b ? 2.0 / 3.0 : -1.0 / 3.0) - soft * h[a] * h[b] / size2);
+        moduli.normal[a][b] = K + T(2.0) * mu * (flow.left * T(a == b ? 2.0 / 3.0 : -1.0 / 3.0) - soft * h[a] * h[b] / size2);
     }
     return moduli;
   }

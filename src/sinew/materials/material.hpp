@@ -46,7 +46,9 @@ struct Response {
 };
 
 template <class Material>
-concept HasHistory = requires { typename Material::template History<Mat3<double>>; };
+concept HasHistory = requires {
+  typename Material::template History<Mat3<double>>;
+};
 
 /// Largest eigenvalue of a symmetric 3 x 3 matrix, bounded from above to within rounding. It is mean + p y with p^2 = |deviator|^2 / 6 and y the
 /// largest root of y^3 - 3 y = t, t = det(deviator) / p^3. One step of Newton's method from y = 2 stays above that root, since it is the largest

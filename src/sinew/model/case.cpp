@@ -8,8 +8,9 @@
 namespace sinew {
 
 const std::vector<std::string>& top_level_keys() {
-  static const std::vector<std::string> keys{"case",     "parameters", "body",   "material", "formulation", "region", "initial",
-                                             "boundary", "body_force", "solver", "output",   "probe",       "expect", "study"};
+  static const std::vector<std::string> keys{"case",   "parameters", "body",     "material",   "formulation",
+                                             "region", "initial",    "boundary", "body_force", "wall",
+                                             "solver", "output",     "probe",    "expect",     "study"};
   return keys;
 }
 
@@ -62,6 +63,7 @@ Case make_case(const Node& root, const std::string& folder) {
   read_formulation(reader);
   read_regions(reader);
   read_conditions(reader);
+  read_contacts(reader);
   read_solver_and_output(reader);
   read_probes(reader);
   read_study_and_expects(reader);
@@ -79,6 +81,7 @@ std::vector<std::pair<std::string, std::vector<ParameterDoc>>> case_sections() {
           {"[[initial]]", parameter_docs<InitialCase>()},
           {"[[boundary]]", parameter_docs<BoundaryKeys>()},
           {"[body_force]", parameter_docs<BodyForceCase>()},
+          {"[[wall]]", parameter_docs<WallCase>()},
           {"[solver]", parameter_docs<SolverCase>()},
           {"[output]", parameter_docs<OutputCase>()},
           {"[[probe]]", parameter_docs<ProbeCase>()},

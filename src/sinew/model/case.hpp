@@ -6,6 +6,7 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <sinew/contact_laws/registry.hpp>
 #include <sinew/core/node.hpp>
 #include <sinew/core/units.hpp>
 #include <sinew/model/expression.hpp>
@@ -135,6 +136,25 @@ struct BoundaryCase {
   Place place;
 };
 
+/// [[wall]]
+struct WallCase {
+  std::string name;
+  AnyWallShape geometry;
+  HertzContact law;
+  std::optional<std::array<Expression, 3>> velocity, displacement;  ///< of time
+  std::vector<std::string> bodies;                                  ///< empty: all
+  Place place;
+
+  static void describe(auto&& field, auto& m) {
+    field("name", m.name, no_unit, "Name of the wall, by which probes and messages call it.");
+    field("geometry", m.geometry, no_unit, "Its surface.", TypeText{"table with \"shape\""});
+    field("velocity", m.velocity, "m/s", "Velocity of the wall, a function of t; it does not turn.", optional);
+    field("displacement", m.displacement, "m", "Instead of a velocity: where it has moved by time t.", optional);
+    field("bodies", m.bodies, no_unit, "The bodies that it acts on; by default all.", optional, TypeText{"array of names"});
+    HertzContact::describe(field, m.law);
+  }
+};
+
 /// [solver]
 struct SolverCase {
   std::string mode = "explicit";
@@ -208,6 +228,7 @@ struct ProbeCase {
   std::string reduce = "mean";  ///< sum | mean | min | max; totals (energies, momenta, reaction force, time step) always have sum
   std::string component;        ///< "" for scalars; x y z xx xy ... magnitude
   std::string expression;       ///< over the names of earlier probes, parameters and t
+  std::string wall;             ///< of wall_force
   Place place;
 
   static void describe(auto&& field, auto& m) {
@@ -216,6 +237,7 @@ struct ProbeCase {
     field("region", m.region, no_unit, "The particles; by default all.", optional, TypeText{region_type});
     field("reduce", m.reduce, no_unit, "How many particles become one number.", optional, OneOf{{"sum", "mean", "min", "max"}});
     field("component", m.component, no_unit, "x y z magnitude of a vector, xx xy ... of a tensor.", optional);
+    field("wall", m.wall, no_unit, "For wall_force: which wall.", optional, TypeText{"name of a wall"});
     field("expression", m.expression, no_unit, "Instead of a quantity: a formula over earlier probes, the parameters and t.",
           optional);
   }
@@ -277,6 +299,7 @@ struct Case {
   std::vector<InitialCase> initial;
   std::vector<BoundaryCase> boundary;
   std::array<Expression, 3> body_force;  ///< acceleration
+  std::vector<WallCase> walls;
   SolverCase solver;
   OutputCase output;
   std::vector<ProbeCase> probes;

@@ -122,6 +122,12 @@ Pack density_at(const QuantitySource<D>& from, const Eight& at) {
   return at.each([&](int slot) { return p.bodies[p.body_of(slot)].density; }) / determinant(gradient_at(from, at));
 }
 
+template <int D>
+Vec<Pack, D> contact_force_at(const QuantitySource<D>& from, const Eight& at) {
+  if (!from.contact_forces || from.contact_forces->empty()) return {};
+  return at.of(*from.contact_forces);
+}
+
 /// A component of RecordedState::plastic.
 template <int component, int D>
 Pack plastic_at(const QuantitySource<D>& from, const Eight& at) {
@@ -138,6 +144,7 @@ const std::map<std::string_view, ParticleQuantity<D>>& quantities() {
       {"velocity", quantity<D>([](S s, At i) { return i.of(s.particles.velocity); })},
       {"acceleration", quantity<D>([](S s, At i) { return i.of(s.particles.acceleration); })},
       {"force", quantity<D>([](S s, At i) { return i.of(s.particles.mass.data()) * i.of(s.particles.acceleration); })},
+      {"contact_force", quantity<D>([](S s, At i) { return contact_force_at(s, i); })},
       {"position", quantity<D>([](S s, At i) { return i.of(s.particles.position) + i.of(s.particles.displacement); })},
       {"volume", quantity<D>([](S s, At i) { return i.of(s.particles.volume.data()) * s.solid.options().thickness; })},
       {"neighbors", quantity<D>([](S s, At i) { return i.each([&](int k) { return s.solid.pairs().neighbor_count[k]; }); })},
@@ -160,7 +167,7 @@ const std::map<std::string_view, ParticleQuantity<D>>& quantities() {
 }
 
 const std::set<std::string_view> unrecorded{"displacement", "velocity",  "acceleration", "position",
-                                            "volume",       "neighbors", "force"};
+                                            "volume",       "neighbors", "force",        "contact_force"};
 
 }  // namespace
 

@@ -12,12 +12,13 @@ namespace sinew {
 /// True for quantities that follow from F or P, which a sweep has to record first.
 bool needs_record(std::string_view quantity);
 
-/// What quantities are computed from. `record` may be null unless needs_record.
+/// What quantities are computed from. `record` may be null unless needs_record; `contact_forces` empty: nothing touches.
 template <int D>
 struct QuantitySource {
   const Particles<D>& particles;
   const TotalLagrangian<D>& solid;
   const RecordedState* record;
+  const VectorField<D>* contact_forces = nullptr;
 };
 
 template <int D>

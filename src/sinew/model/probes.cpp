@@ -24,6 +24,7 @@ double energy_of(std::string_view name, const Energies& e) {
   if (name == "energy.kinetic") return e.kinetic;
   if (name == "energy.strain") return e.strain;
   if (name == "energy.hourglass") return e.hourglass;
+  if (name == "energy.contact") return e.contact;
   if (name == "energy.external_work") return e.external_work;
   if (name == "energy.dissipated") return e.dissipated;
   if (name == "energy.plastic_work") return e.plastic_work;
@@ -37,10 +38,12 @@ template <int D>
 Probes<D>::Probes(const Case& c, const Regions& regions) : units_(c.general.units) {
   std::vector<std::string> variables{"t"};
   for (const ProbeCase& p : c.probes) {
-    Probe probe{p, nullptr, Expression(), 0, {}, 0};
+    Probe probe{p, nullptr, Expression(), 0, -1, {}, 0};
     if (p.expression.empty()) {
       probe.quantity = find_quantity(p.quantity);
       probe.component = component_index(*probe.quantity, p.component);
+      for (std::size_t w = 0; w < c.walls.size(); ++w)
+        if (c.walls[w].name == p.wall) probe.wall = static_cast<int>(w);
       const Region& region = regions.at(p.region.empty() ? "all" : p.region);
       probe.slots = region.slots;
       probe.particles = region.particles;
@@ -58,7 +61,7 @@ Probes<D>::Probes(const Case& c, const Regions& regions) : units_(c.general.unit
 template <int D>
 double Probes<D>::over_particles(const Probe& probe, const ProbedState<D>& state) const {
   const ParticleQuantity<D> quantity = particle_quantity<D>(probe.c.quantity);
-  const QuantitySource<D> source{state.particles, state.solid, state.record};
+  const QuantitySource<D> source{state.particles, state.solid, state.record, &state.contacts.forces()};
   constexpr std::size_t together = 128;
   std::array<double, together * ParticleQuantity<D>::most_components> values;
   std::vector<double> sums(state.particles.blocks.size(), 0.0);
@@ -87,15 +90,16 @@ double Probes<D>::total(const Probe& probe, const ProbedState<D>& state) const {
   if (name == "time_step") return state.time_step;
   if (name == "linear_momentum") return component_of(state.momenta.linear, probe.component);
   if (name == "angular_momentum") return component_of(state.momenta.angular, probe.component);
-  if (name == "reaction_force") {
+  const auto sum_of = [&](const std::vector<Vec<double, D>>& of_blocks) {
     std::vector<double> sums;
-    for (const Vec<double, D>& of_block : state.motion.reactions_on(probe.slots))
-      sums.insert(sums.end(), of_block.c, of_block.c + D);
+    for (const Vec<double, D>& of_block : of_blocks) sums.insert(sums.end(), of_block.c, of_block.c + D);
     sums = sum_over_blocks(state.comm, state.particles.block_numbers(), sums, D);
     Point sum;
     std::copy(sums.begin(), sums.end(), sum.c);
     return component_of(sum, probe.component);
-  }
+  };
+  if (name == "reaction_force") return sum_of(state.motion.reactions_on(probe.slots));
+  if (name == "wall_force") return sum_of(state.contacts.walls().forces_of(probe.wall));
   return energy_of(name, state.energies);
 }
 

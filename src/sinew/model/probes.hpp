@@ -1,6 +1,7 @@
 #pragma once
 /// Numbers that are followed over time.
 
+#include <sinew/contact/contacts.hpp>
 #include <sinew/model/case.hpp>
 #include <sinew/model/conditions.hpp>
 #include <sinew/model/fields.hpp>
@@ -15,6 +16,7 @@ struct ProbedState {
   const Particles<D>& particles;
   const TotalLagrangian<D>& solid;
   const PrescribedMotion<D>& motion;
+  const Contacts<D>& contacts;
   const RecordedState* record;
   Energies energies;
   Momenta momenta;
@@ -39,6 +41,7 @@ class Probes {
     const QuantityInfo* quantity = nullptr;  ///< nullptr: an expression over t and the probes before it
     Expression formula;
     int component = 0;
+    int wall = -1;           ///< among Case::walls
     std::vector<int> slots;  ///< on this rank
     long particles = 0;      ///< on all ranks
   };

@@ -38,13 +38,27 @@ void check_component(const ProbeCase& probe, const QuantityInfo& quantity, const
                     owner + ": component of " + probe.quantity + ": " + unknown_name_message("name", probe.component, known));
 }
 
-void check_quantity(ProbeCase& probe, const Node& entry, const std::string& owner, int dimension, Node& resolved) {
+void check_wall(const CaseReader& reader, const ProbeCase& probe, const Node& entry, const std::string& owner) {
+  if (probe.quantity != "wall_force") {
+    if (!probe.wall.empty()) throw CaseError(place_of(entry, "wall"), owner + ": \"wall\" belongs to wall_force only");
+    return;
+  }
+  std::vector<std::string> known;
+  for (const WallCase& wall : reader.result.walls) known.push_back(wall.name);
+  if (probe.wall.empty()) throw CaseError(entry.place, owner + ": \"wall\" is missing; it says whose force is followed");
+  if (std::find(known.begin(), known.end(), probe.wall) == known.end())
+    throw CaseError(place_of(entry, "wall"), owner + ": " + unknown_name_message("wall", probe.wall, known));
+}
+
+void check_quantity(const CaseReader& reader, ProbeCase& probe, const Node& entry, const std::string& owner, int dimension,
+                    Node& resolved) {
   const QuantityInfo& quantity = *find_quantity(probe.quantity);
   check_component(probe, quantity, entry, owner, dimension);
   if (probe.quantity == "thickness_stretch" && dimension == 3)
     throw CaseError(place_of(entry, "quantity"), owner + ": thickness_stretch exists in two dimensions only");
   if (probe.quantity == "reaction_force" && probe.region.empty())
     throw CaseError(entry.place, owner + ": \"region\" is missing; it says on which particles the reaction force is summed");
+  check_wall(reader, probe, entry, owner);
   if (!quantity.is_total) return;
   if (entry.find("reduce") && probe.reduce != "sum")
     throw CaseError(place_of(entry, "reduce"),
@@ -56,7 +70,7 @@ void check_quantity(ProbeCase& probe, const Node& entry, const std::string& owne
 /// A formula over earlier probes takes none of the keys that pick particles.
 void check_expression(const CaseReader& reader, const ProbeCase& probe, const Node& entry, const std::string& owner,
                       const std::vector<std::string>& earlier, Node& resolved) {
-  for (const std::string key : {"quantity", "region", "reduce", "component"}) {
+  for (const std::string key : {"quantity", "region", "reduce", "component", "wall"}) {
     if (entry.find(key))
       throw CaseError(place_of(entry, key),
                       owner + ": \"expression\" is a formula over other probes and cannot have \"" + key + "\"");
@@ -88,7 +102,7 @@ void read_probes(CaseReader& reader) {
     if (!probe.expression.empty())
       check_expression(reader, probe, entry, owner, names, filled);
     else
-      check_quantity(probe, entry, owner, reader.reading.dimension, filled);
+      check_quantity(reader, probe, entry, owner, reader.reading.dimension, filled);
     names.push_back(probe.name);
     resolved.items.push_back(std::move(filled));
     reader.result.probes.push_back(std::move(probe));

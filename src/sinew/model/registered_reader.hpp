@@ -2,6 +2,7 @@
 /// Reading of the things that a registry offers: materials, kernels, corrections, stabilizations, geometries.
 
 #include <algorithm>
+#include <sinew/contact_laws/registry.hpp>
 #include <sinew/corrections/registry.hpp>
 #include <sinew/kernels/registry.hpp>
 #include <sinew/materials/registry.hpp>
@@ -32,6 +33,10 @@ struct RegistryOf<AnyStabilization> : Stabilizations {
   static constexpr const char *what = "stabilization", *selector = "model";
 };
 template <>
+struct RegistryOf<AnyWallShape> : WallShapes {
+  static constexpr const char *what = "shape of a wall", *selector = "shape";
+};
+template <>
 struct RegistryOf<AnyGeometry> : Geometries {
   static constexpr const char *what = "shape", *selector = "shape";
 };
@@ -55,6 +60,8 @@ void complete(T& object, const Node& node, const std::string& owner) {
   if constexpr (requires { object.hardening.complete(); })
     if (const std::optional<std::string> problem = object.hardening.complete())
       throw CaseError(node.place, owner + ": " + *problem);
+  if constexpr (requires { object.complete(); })
+    if (const std::optional<std::string> problem = object.complete()) throw CaseError(node.place, owner + ": " + *problem);
 }
 }  // namespace detail
 

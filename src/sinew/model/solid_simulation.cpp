@@ -58,6 +58,7 @@ SolidSimulation<D>::SolidSimulation(const Case& c, const Comm& comm, const std::
       forces_(particles_.slots),
       motion_(make_prescribed_motion(c, regions_, particles_, comm, facts_.warnings)),
       loads_(make_loads(c, regions_, particles_, solid_, comm, facts_.warnings)),
+      contacts_(make_contacts(c, particles_)),
       gravity_(constant_body_force<D>(c)),
       probes_(c, regions_),
       step_size_{c.solver.cfl, solid_.hourglass_time_step(), c.solver.time_step.value_or(0.0)},
@@ -66,6 +67,7 @@ SolidSimulation<D>::SolidSimulation(const Case& c, const Comm& comm, const std::
       dissipation_rate_(particles_.blocks.size(), 0.0) {
   wants_hourglass_error_ = probes_.need_hourglass_error();
   set_initial_state(c, regions_, comm, particles_);
+  check_initial_contacts(c, contacts_, particles_, comm);
   start();
   collect_facts(bodies, watch.seconds());
 }
@@ -108,6 +110,7 @@ void SolidSimulation<D>::step(double most) {
 template <int D>
 void SolidSimulation<D>::update_forces(double dt) {
   guard([&] { loads_.add(particles_, time_, dt, forces_); });
+  guard([&] { contacts_.push(particles_, time_, dt, forces_); });
   timer_.mark("boundary");
   RecordedState* const recorded = std::exchange(record_expected_, false) ? &room_for_record() : nullptr;
   summary_ = solid_.internal_forces(particles_, forces_, dt,
@@ -136,7 +139,17 @@ void SolidSimulation<D>::guard(Action&& action) {
 /// What steers the run is the largest of all ranks.
 template <int D>
 void SolidSimulation<D>::share_limits() {
-  double limits[] = {summary_.finite ? 0.0 : 1.0, -summary_.smallest_jacobian, summary_.largest_rate2, error_ ? 1.0 : 0.0};
+  contact_ = {};
+  for (std::size_t b = 0; b < particles_.blocks.size(); ++b) {
+    contact_.rate2 = std::max(contact_.rate2, contacts_.sums(b).rate2);
+    contact_.approach = std::max(contact_.approach, contacts_.sums(b).approach);
+  }
+  double limits[] = {summary_.finite ? 0.0 : 1.0,
+                     -summary_.smallest_jacobian,
+                     summary_.largest_rate2,
+                     error_ ? 1.0 : 0.0,
+                     contact_.rate2,
+                     contact_.approach};
   comm_.maximum(limits);
   if (limits[3] > 0.0)
     comm_.together([&] {
@@ -145,6 +158,8 @@ void SolidSimulation<D>::share_limits() {
   summary_.finite = limits[0] == 0.0;
   summary_.smallest_jacobian = -limits[1];
   summary_.largest_rate2 = limits[2];
+  contact_.rate2 = limits[4];
+  contact_.approach = limits[5];
 }
 
 /// Trapezoidal rule for the power of the damping, c sum m v^2.
@@ -161,14 +176,18 @@ void SolidSimulation<D>::count_dissipation(double dt) {
 template <int D>
 Energies SolidSimulation<D>::energies() {
   std::vector<double> partial;
-  for (std::size_t b = 0; b < dissipated_.size(); ++b)
-    partial.insert(partial.end(), {motion_.work()[b] + loads_.work()[b], dissipated_[b]});
-  const std::vector<double> sums = sum_over_blocks(comm_, particles_.block_numbers(), partial, 2);
+  for (std::size_t b = 0; b < dissipated_.size(); ++b) {
+    const ContactSums contact = contacts_.sums(b);
+    partial.insert(partial.end(),
+                   {motion_.work()[b] + loads_.work()[b] + contact.work, dissipated_[b] + contact.dissipated, contact.energy});
+  }
+  const std::vector<double> sums = sum_over_blocks(comm_, particles_.block_numbers(), partial, 3);
   Energies e;
   e.kinetic = totals().kinetic;
   e.strain = stored_energy().strain;
   e.hourglass = stored_energy().hourglass;
   e.external_work = sums[0] + totals().gravity_work - initial_gravity_work_;
+  e.contact = sums[2];
   e.plastic_work = stored_energy().plastic_work;
   e.dissipated = sums[1] + e.plastic_work;
   e.initial = initial_energy_;
@@ -213,7 +232,7 @@ const RecordedState& SolidSimulation<D>::record() {
 template <int D>
 std::vector<double> SolidSimulation<D>::probe_values() {
   const RecordedState* state = probes_.need_record() ? &record() : nullptr;
-  return probes_.values({comm_, particles_, solid_, motion_, state, energies(), momenta(), time_, stable_time_step()});
+  return probes_.values({comm_, particles_, solid_, motion_, contacts_, state, energies(), momenta(), time_, stable_time_step()});
 }
 
 /// Waiting for other ranks is part of "forces and kick".

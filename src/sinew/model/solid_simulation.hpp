@@ -5,6 +5,7 @@
 #include <limits>
 #include <sinew/core/timer.hpp>
 #include <sinew/model/conditions.hpp>
+#include <sinew/model/contacts.hpp>
 #include <sinew/model/probes.hpp>
 #include <sinew/model/simulation.hpp>
 #include <sinew/model/solid_setup.hpp>
@@ -28,7 +29,7 @@ class SolidSimulation final : public Simulation {
   const ModelFacts& facts() const override { return facts_; }
   double time() const override { return time_; }
   long steps() const override { return steps_; }
-  double stable_time_step() const override { return step_size_(summary_); }
+  double stable_time_step() const override { return step_size_(summary_, contact_); }
   void step(double most) override;
   void expect_record() override { record_expected_ = true; }
 
@@ -53,6 +54,8 @@ class SolidSimulation final : public Simulation {
   void start();
   void update_forces(double dt);
   void count_dissipation(double dt);
+  void save_contacts(SavedState& state);
+  void restore_contacts(const SavedState& state);
   void check_state();
   [[noreturn]] void fail(const std::string& cause);
   WorstParticle worst_particle();
@@ -77,6 +80,7 @@ class SolidSimulation final : public Simulation {
   VectorField<D> forces_;
   PrescribedMotion<D> motion_;
   Loads<D> loads_;
+  Contacts<D> contacts_;
   Vec<double, D> gravity_;  ///< body force that is the same everywhere and always [length/time^2]
   Probes<D> probes_;
   StepSize step_size_;
@@ -86,6 +90,7 @@ class SolidSimulation final : public Simulation {
   double time_ = 0.0;
   long steps_ = 0;
   ForceSummary summary_;  ///< of the current state; its limits (Jacobian, rate) are those of all ranks
+  ContactSums contact_;   ///< of all ranks; energies and work are those of this rank
   double first_time_step_ = 0.0;
   std::vector<double> dissipated_, dissipation_rate_;  ///< by damping, of each block [energy], [energy/time]
   std::vector<double> kinetic_;                        ///< scratch

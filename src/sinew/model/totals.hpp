@@ -2,43 +2,18 @@
 /// Sums over all particles of all ranks. Each block adds up on its own, eight particles at a time; blocks are added in their order: the same bits for any
 /// number of threads and ranks.
 
-#include <algorithm>
-#include <array>
-#include <sinew/core/pack.hpp>
 #include <sinew/model/simulation.hpp>
-#include <sinew/neighbors/threads.hpp>
+#include <sinew/neighbors/eight_of_block.hpp>
 #include <sinew/parallel/comm.hpp>
-#include <sinew/particles/particles.hpp>
 
 namespace sinew {
-
-/// Calls use(load) for eight particles of a block at a time; load(values) gives theirs, and 0 where there are fewer than eight left.
-template <class Use>
-void for_each_eight(const BlockRange& block, Use&& use) {
-  int slot = block.begin;
-  for (; slot + lanes <= block.end; slot += lanes)
-    use([slot](const double* values) { return Pack::load_unaligned(values + slot); });
-  if (slot < block.end) use([slot, &block](const double* values) { return Pack::load_some(values + slot, block.end - slot); });
-}
-
-/// sums(block) gives an array of numbers for each block; all of them go to `all`, block after block.
-template <std::size_t width, int D, class Sums>
-void of_each_block(const Particles<D>& particles, Sums&& sums, std::vector<double>& all) {
-  all.resize(particles.blocks.size() * width);
-  const auto count = static_cast<int>(particles.blocks.size());
-#pragma omp parallel for schedule(static) if (particles.slots >= fewest_for_threads)
-  for (int b = 0; b < count; ++b) {
-    const std::array<double, width> of_block = sums(particles.blocks[b]);
-    std::copy(of_block.begin(), of_block.end(), all.begin() + b * width);
-  }
-}
 
 /// Sum of m v^2 / 2 over each block [energy].
 template <int D>
 void kinetic_energies(const Particles<D>& particles, std::vector<double>& energies) {
   const auto sums = [&](const BlockRange& block) -> std::array<double, 1> {
     Pack twice;
-    for_each_eight(block, [&](const auto& load) {
+    for_each_eight(block, [&](const EightOfBlock& load) {
       Pack square;
       for (int c = 0; c < D; ++c) {
         const Pack v = load(particles.velocity.component(c));
@@ -63,7 +38,7 @@ template <int D>
 std::array<double, 9> block_totals(const Particles<D>& particles, const BlockRange& block, const Vec<double, D>& gravity) {
   Vec<Pack, 3> linear, angular;
   Pack scale, twice, work;
-  for_each_eight(block, [&](const auto& load) {
+  for_each_eight(block, [&](const EightOfBlock& load) {
     const Pack mass = load(particles.mass.data());
     Vec<Pack, 3> x, v;
     Pack along;

@@ -179,7 +179,8 @@ TEST(Resolved, HasTheDefaultsTheOverridesAndAbsoluteFiles) {
   EXPECT_EQ(std::get<MeshFile>(c.bodies[0].geometry).file, "/data/mesh.msh");
   const std::string text = toml_text(c.resolved);
   EXPECT_NE(text.find("file = \"/data/mesh.msh\", scale = 1.0"), std::string::npos) << text;
-  EXPECT_NE(text.find("stabilization = [{ model = \"hourglass_stiffness\", alpha = 50.0, normalization = \"conservative\" }]"),
+  EXPECT_NE(text.find("stabilization = [{ model = \"hourglass_stiffness\", alpha = 50.0, normalization = \"conservative\", "
+                      "plastic_switch = true }]"),
             std::string::npos);
   EXPECT_NE(text.find("time_step = 0.1"), std::string::npos);
 }

@@ -136,7 +136,7 @@ TEST_F(RecorderTest, ResumedHistoryIsThatOfAnUndisturbedRun) {
 }
 
 TEST(Recorder, BalanceErrorIsRelativeToTheLargestTerm) {
-  EXPECT_DOUBLE_EQ(relative_balance_error({1.0, 0.5, 0.0, 0.0, 0.0, 1.0}), 0.5 / 1.5);
+  EXPECT_DOUBLE_EQ(relative_balance_error({.kinetic = 1.0, .strain = 0.5, .initial = 1.0}), 0.5 / 1.5);
   EXPECT_EQ(relative_balance_error({}), 0.0);
 }
 

@@ -112,7 +112,8 @@ TYPED_TEST(J2Contract, TangentIsTheDerivativeOfTheStressOfAStep) {
   for (int trial = 0; trial < 60; ++trial) {
     const auto old = trial < 3 ? PlasticHistory<Mat3<double>>{} : this->some_history();
     const bool elastic = trial % 3 == 0;
-    const Mat3<double> F = random_gradient(this->random, elastic ? 1e-4 : 0.03) * (trial < 3 ? Mat3<double>::identity() : this->here);
+    const Mat3<double> F =
+        random_gradient(this->random, elastic ? 1e-4 : 0.03) * (trial < 3 ? Mat3<double>::identity() : this->here);
     const Tangent<double> A = this->material.tangent(F, old, this->dt);
     for (int column = 0; column < 9; ++column) {
       Mat3<double> more = F, less = F;

@@ -42,7 +42,9 @@ TEST(J2Reference, UniaxialLinearHardening) {
       EXPECT_NEAR(q, 2.4 * (strain - plastic_strain), 1e-12);
     });
     const double e = end.strain;
-    if (steps == 1000) { EXPECT_NEAR(end.work, 0.01 * e + 0.025 * e * e, 1e-5); }
+    if (steps == 1000) {
+      EXPECT_NEAR(end.work, 0.01 * e + 0.025 * e * e, 1e-5);
+    }
   }
 }
 

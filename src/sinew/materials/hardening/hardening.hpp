@@ -27,9 +27,9 @@ struct PlasticPoint {
 
 template <class T>
 struct FlowStress {
-  T value;        ///< [Pa]
-  T strain_slope; ///< derivative with respect to the plastic strain [Pa]
-  T rate_slope;   ///< and to its rate [Pa s]
+  T value;         ///< [Pa]
+  T strain_slope;  ///< derivative with respect to the plastic strain [Pa]
+  T rate_slope;    ///< and to its rate [Pa s]
 };
 
 /// x^y for x >= 0 and y > 0.

@@ -25,15 +25,15 @@ struct JohnsonCookHardening {
     field("hardening_modulus", m.hardening_modulus, "Pa", "B: factor of the hardening by strain.", non_negative, optional);
     field("hardening_exponent", m.hardening_exponent, "1", "n: exponent of the hardening by strain.", positive, optional);
     field("rate_coefficient", m.rate_coefficient, "1", "C: factor of the hardening by rate.", non_negative, optional);
-    field("reference_rate", m.reference_rate, "1/s", "Plastic strain rate at which A and B were measured; needed for hardening by rate.",
-          positive, optional);
+    field("reference_rate", m.reference_rate, "1/s",
+          "Plastic strain rate at which A and B were measured; needed for hardening by rate.", positive, optional);
     field("thermal_exponent", m.thermal_exponent, "1", "m: exponent of the softening by heat.", positive, optional);
     field("reference_temperature", m.reference_temperature, "K", "Temperature at the start, at which A and B were measured.",
           positive, optional);
     field("melting_temperature", m.melting_temperature, "K", "Temperature without strength; if not given, heat does not soften.",
           positive, optional);
-    field("specific_heat", m.specific_heat, "J/(kg K)", "Heat per mass and temperature; needed for softening by heat.",
-          positive, optional);
+    field("specific_heat", m.specific_heat, "J/(kg K)", "Heat per mass and temperature; needed for softening by heat.", positive,
+          optional);
     field("taylor_quinney", m.taylor_quinney, "1", "Share of the plastic work that becomes heat.", unit_interval, optional);
   }
 
