@@ -79,7 +79,7 @@ template <int D, class Kernel>
 void compare_all_materials(double jitter, bool uneven) {
   Cloud<D> cloud = make_cloud<D>(D == 3 ? 4 : 8, jitter, 2.41, uneven, 1, 5);
   displace<D>(cloud.particles, shear<D>(), 0.05);
-  Materials::for_each([&]<class M>() {
+  DeformableMaterials::for_each([&]<class M>() {
     TotalLagrangianOptions o = options<D>(material_with<M>(1.3, 2.0, 0.4), 1, Kernel{});
     for (const char* form : {"conservative", "half"}) {
       o.hourglass->normalization.value = form;

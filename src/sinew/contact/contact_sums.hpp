@@ -13,7 +13,9 @@ struct ContactSums {
   double rate2 = 0.0;       ///< largest contact_rate2 [1/time^2]
   double approach = 0.0;    ///< largest speed of approach over radius, of those that touch or nearly do [1/time]
 
-  void begin_step() { energy = rate2 = approach = 0.0; }
+  double depth = 0.0;  ///< deepest overlap over the distance at which two particles touch, 2 r against a wall [1]
+
+  void begin_step() { energy = rate2 = approach = depth = 0.0; }
 };
 
 }  // namespace sinew

@@ -5,9 +5,7 @@
 namespace sinew {
 
 template <int D>
-Walls<D>::Walls(std::vector<WallCondition> walls, const Particles<D>& particles, double thickness)
-    : sums_(particles.blocks.size()),
-      thickness_(thickness) {
+Walls<D>::Walls(std::vector<WallCondition> walls, const Particles<D>& particles, double thickness) : thickness_(thickness) {
   if (!walls.empty()) radius_ = contact_radii(particles);
   for (WallCondition& wall : walls)
     walls_.push_back({std::move(wall), {}, {}, {}, std::vector<Vec<double, D>>(particles.blocks.size())});
@@ -29,12 +27,12 @@ void Walls<D>::move(Wall& wall, double t, double dt) const {
 template <int D>
 template <class Shape>
 void Walls<D>::push_block(Wall& wall, const Shape& shape, const Particles<D>& particles, int block, double dt,
-                          VectorField<D>& forces, VectorField<D>& contact_forces) {
+                          VectorField<D>& forces, VectorField<D>& contact_forces, ContactSums& sums) {
   HertzContact law = wall.condition.law;
   law.stiffness = wall.condition.stiffness[particles.blocks[block].body];
   Vec<Pack, D> offset, velocity, total;
   for (int c = 0; c < D; ++c) offset[c] = Pack(wall.offset[c]), velocity[c] = Pack(wall.velocity[c]);
-  Pack energy, power, rate2, approach;
+  Pack energy, power, rate2, approach, deepest;
   for_each_eight(particles.blocks[block], [&](const EightOfBlock& eight) {
     const Pack radius = eight(radius_.data()), mass = eight(particles.mass.data());
     const Gap<Pack, D> gap = shape.gap(eight(particles.position) + eight(particles.displacement) - offset);
@@ -51,9 +49,9 @@ void Walls<D>::push_block(Wall& wall, const Shape& shape, const Particles<D>& pa
     power += contact.dissipated;
     const Pack coming = -dot(v, gap.normal);
     rate2 = max(rate2, select(near, contact_rate2(contact, coming, mass), Pack(0.0)));
+    deepest = max(deepest, depth / (2.0 * radius + 1e-300));
     approach = max(approach, select(near, coming / (radius + 1e-300), Pack(0.0)));
   });
-  ContactSums& sums = sums_[block];
   Vec<double, D>& force = wall.force[block];
   for (int c = 0; c < D; ++c) {
     const double now = sum(total[c]);
@@ -64,12 +62,13 @@ void Walls<D>::push_block(Wall& wall, const Shape& shape, const Particles<D>& pa
   sums.dissipated += dt * sum(power);
   sums.rate2 = std::max(sums.rate2, largest(rate2));
   sums.approach = std::max(sums.approach, largest(approach));
+  sums.depth = std::max(sums.depth, largest(deepest));
 }
 
 template <int D>
-void Walls<D>::push(const Particles<D>& particles, double t, double dt, VectorField<D>& forces, VectorField<D>& contact_forces) {
+void Walls<D>::push(const Particles<D>& particles, double t, double dt, VectorField<D>& forces, VectorField<D>& contact_forces,
+                    std::vector<ContactSums>& sums) {
   const auto blocks = static_cast<int>(particles.blocks.size());
-  for (ContactSums& sums : sums_) sums.begin_step();
   for (Wall& wall : walls_) {
     move(wall, t, dt);
     std::visit(
@@ -77,7 +76,7 @@ void Walls<D>::push(const Particles<D>& particles, double t, double dt, VectorFi
 #pragma omp parallel for schedule(dynamic, 1) if (particles.slots >= fewest_for_threads)
           for (int b = 0; b < blocks; ++b)
             if (wall.condition.stiffness[particles.blocks[b].body] > 0.0)
-              push_block(wall, shape, particles, b, dt, forces, contact_forces);
+              push_block(wall, shape, particles, b, dt, forces, contact_forces, sums[b]);
         },
         wall.condition.shape);
   }

@@ -27,10 +27,10 @@ class Walls {
   Walls(std::vector<WallCondition> walls, const Particles<D>& particles, double thickness);
 
   bool empty() const { return walls_.empty(); }
-  /// Walls move to where they are at time t, and push: forces are added to both fields. `dt`: since the last call, 0 at the start. Sums of the blocks go on.
-  void push(const Particles<D>& particles, double t, double dt, VectorField<D>& forces, VectorField<D>& contact_forces);
-  std::vector<ContactSums>& sums() { return sums_; }
-  const std::vector<ContactSums>& sums() const { return sums_; }
+  /// Walls move to where they are at time t, and push: forces are added to both fields, what they do to the sums of the blocks. `dt`: since the last
+  /// call, 0 at the start.
+  void push(const Particles<D>& particles, double t, double dt, VectorField<D>& forces, VectorField<D>& contact_forces,
+            std::vector<ContactSums>& sums);
 
   /// Index of a wall; -1: none of that name.
   int index_of(const std::string& name) const;
@@ -60,10 +60,9 @@ class Walls {
   void move(Wall& wall, double t, double dt) const;
   template <class Shape>
   void push_block(Wall& wall, const Shape& shape, const Particles<D>& particles, int block, double dt, VectorField<D>& forces,
-                  VectorField<D>& contact_forces);
+                  VectorField<D>& contact_forces, ContactSums& sums);
 
   std::vector<Wall> walls_;
-  std::vector<ContactSums> sums_;
   AlignedArray<double> radius_;
   double thickness_ = 1.0;
 };

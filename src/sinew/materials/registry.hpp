@@ -9,13 +9,15 @@
 #include <sinew/materials/linear_elastic.hpp>
 #include <sinew/materials/neo_hookean.hpp>
 #include <sinew/materials/neo_hookean_isochoric.hpp>
+#include <sinew/materials/rigid.hpp>
 #include <sinew/materials/st_venant_kirchhoff.hpp>
 
 namespace sinew {
 
 using ElasticMaterials = TypeList<LinearElastic, StVenantKirchhoff, NeoHookean, NeoHookeanIsochoric>;
 using PlasticMaterials = TypeList<J2<LinearHardening>, J2<VoceHardening>, J2<JohnsonCookHardening>>;
-using Materials = Joined<ElasticMaterials, PlasticMaterials>;
+using DeformableMaterials = Joined<ElasticMaterials, PlasticMaterials>;
+using Materials = Joined<DeformableMaterials, TypeList<Rigid>>;
 using AnyMaterial = Materials::Variant;
 
 }  // namespace sinew

@@ -8,9 +8,9 @@
 namespace sinew {
 
 const std::vector<std::string>& top_level_keys() {
-  static const std::vector<std::string> keys{"case",   "parameters", "body",     "material",   "formulation",
-                                             "region", "initial",    "boundary", "body_force", "wall",
-                                             "solver", "output",     "probe",    "expect",     "study"};
+  static const std::vector<std::string> keys{"case",    "parameters", "body",       "material", "formulation", "region",
+                                             "initial", "boundary",   "body_force", "contact",  "wall",        "solver",
+                                             "output",  "probe",      "expect",     "study"};
   return keys;
 }
 
@@ -70,6 +70,15 @@ Case make_case(const Node& root, const std::string& folder) {
   return std::move(reader.result);
 }
 
+namespace {
+/// With the key that names the law.
+std::vector<ParameterDoc> contact_docs() {
+  std::vector<ParameterDoc> docs = parameter_docs<ContactCase>();
+  docs.insert(docs.begin(), {"model", "name", "", "hertz", "\"hertz\"", "The law of contact.", false});
+  return docs;
+}
+}  // namespace
+
 std::vector<std::pair<std::string, std::vector<ParameterDoc>>> case_sections() {
   return {{"[case]", parameter_docs<GeneralCase>()},
           {"[parameters]", {}},
@@ -81,6 +90,7 @@ std::vector<std::pair<std::string, std::vector<ParameterDoc>>> case_sections() {
           {"[[initial]]", parameter_docs<InitialCase>()},
           {"[[boundary]]", parameter_docs<BoundaryKeys>()},
           {"[body_force]", parameter_docs<BodyForceCase>()},
+          {"[[contact]]", contact_docs()},
           {"[[wall]]", parameter_docs<WallCase>()},
           {"[solver]", parameter_docs<SolverCase>()},
           {"[output]", parameter_docs<OutputCase>()},

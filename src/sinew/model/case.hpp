@@ -136,6 +136,23 @@ struct BoundaryCase {
   Place place;
 };
 
+/// [[contact]]
+struct ContactCase {
+  std::vector<std::string> bodies;  ///< empty: all
+  bool self = false;
+  HertzContact law;
+  Place place;
+
+  static void describe(auto&& field, auto& m) {
+    field("bodies", m.bodies, no_unit, "The bodies that touch each other; by default all.", optional, TypeText{"array of names"});
+    field(
+        "self", m.self, no_unit,
+        "Whether each of them also touches itself: particles of it that were farther apart than the kernel radius at the start.",
+        optional);
+    HertzContact::describe(field, m.law);
+  }
+};
+
 /// [[wall]]
 struct WallCase {
   std::string name;
@@ -299,6 +316,7 @@ struct Case {
   std::vector<InitialCase> initial;
   std::vector<BoundaryCase> boundary;
   std::array<Expression, 3> body_force;  ///< acceleration
+  std::vector<ContactCase> contacts;
   std::vector<WallCase> walls;
   SolverCase solver;
   OutputCase output;

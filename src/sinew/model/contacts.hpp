@@ -9,9 +9,10 @@ namespace sinew {
 
 /// Collective.
 template <int D>
-Contacts<D> make_contacts(const Case& c, const Particles<D>& particles);
+Contacts<D> make_contacts(const Case& c, const Particles<D>& particles, const std::vector<double>& support_radius,
+                          const Comm& comm);
 
-/// CaseError where bodies are inside walls at the start. Collective.
+/// CaseError where bodies are inside walls or one another at the start, of which the contacts know the forces. Collective.
 template <int D>
 void check_initial_contacts(const Case& c, const Contacts<D>& contacts, const Particles<D>& particles, const Comm& comm);
 

@@ -47,6 +47,7 @@ const std::vector<QuantityInfo>& total_quantities() {
       {"angular_momentum", vector, "kg m^2/s", "Sum of position cross mass times velocity, about the origin.", true},
       {"reaction_force", vector, "N", "Force with which the prescribed motions act on a region.", true},
       {"wall_force", vector, "N", "Force with which a wall pushes the particles.", true},
+      {"contact_depth", scalar, "1", "Deepest overlap in contact, over the distance of centers at which particles touch.", true},
       {"time_step", scalar, "s", "Time step.", true},
   };
   return list;

@@ -88,6 +88,11 @@ template <int D>
 double Probes<D>::total(const Probe& probe, const ProbedState<D>& state) const {
   const std::string& name = probe.c.quantity;
   if (name == "time_step") return state.time_step;
+  if (name == "contact_depth") {
+    double deepest = 0.0;
+    for (const ContactSums& sums : state.contacts.sums()) deepest = std::max(deepest, sums.depth);
+    return state.comm.maximum(deepest);
+  }
   if (name == "linear_momentum") return component_of(state.momenta.linear, probe.component);
   if (name == "angular_momentum") return component_of(state.momenta.angular, probe.component);
   const auto sum_of = [&](const std::vector<Vec<double, D>>& of_blocks) {

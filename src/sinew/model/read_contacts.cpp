@@ -24,9 +24,52 @@ void check_motion(const WallCase& wall, const Node& entry, const std::string& ow
                         owner + ": \"" + (**motion)[i].text() + "\" may use t only: a wall moves as a whole");
 }
 
+/// The law is named by "model", "hertz" if it is not.
+void check_model(const Node& entry, const std::string& owner) {
+  const Node* model = entry.find("model");
+  if (!model) return;
+  if (!model->is(Node::Kind::string))
+    throw CaseError(model->place, owner + ": model: expected a name, found " + model->kind_name());
+  if (model->text != HertzContact::name)
+    throw CaseError(model->place, owner + ": " + unknown_name_message("law of contact", model->text, ContactLaws::names()));
+}
+
+/// Two laws for one pair of bodies contradict each other.
+void check_no_pair_twice(const CaseReader& reader, const ContactCase& contact, const std::string& owner) {
+  const auto has = [](const ContactCase& c, const std::string& name) {
+    return c.bodies.empty() || std::find(c.bodies.begin(), c.bodies.end(), name) != c.bodies.end();
+  };
+  for (const ContactCase& earlier : reader.result.contacts)
+    for (const BodyCase& a : reader.result.bodies)
+      for (const BodyCase& b : reader.result.bodies)
+        if (has(contact, a.name) && has(contact, b.name) && has(earlier, a.name) && has(earlier, b.name) &&
+            (a.name != b.name || (contact.self && earlier.self)))
+          throw CaseError(contact.place,
+                          owner + ": the contact of \"" + a.name + "\" and \"" + b.name + "\" is already described above");
+}
+
+void read_pairs(CaseReader& reader) {
+  Node resolved = Node::make_array();
+  for (const Node& entry : section_entries(reader, "contact")) {
+    ContactCase contact;
+    const std::string owner = "contact " + std::to_string(resolved.items.size() + 1);
+    check_model(entry, owner);
+    Node filled = read_described(contact, entry, owner, reader.reading, {"model"});
+    contact.place = entry.place;
+    check_bodies(reader, contact.bodies, entry, owner);
+    if (!contact.self && (contact.bodies.size() == 1 || reader.result.bodies.size() == 1))
+      throw CaseError(entry.place, owner + ": one body touches nobody; name more, or let it touch itself with self = true");
+    check_no_pair_twice(reader, contact, owner);
+    resolved.items.push_back(std::move(filled));
+    reader.result.contacts.push_back(std::move(contact));
+  }
+  add_resolved(reader, "contact", std::move(resolved));
+}
+
 }  // namespace
 
 void read_contacts(CaseReader& reader) {
+  read_pairs(reader);
   Node resolved = Node::make_array();
   std::vector<std::string> names;
   for (const Node& entry : section_entries(reader, "wall")) {

@@ -80,7 +80,7 @@ void SolidSimulation<D>::collect_facts(const std::vector<GeneratedBody>& bodies,
                    list.blocks.slices(),
                    list.blocks.count(),
                    static_cast<long>(lattice.patterns.size()),
-                   static_cast<long>(particles_.bytes() + solid_.bytes() + forces_.bytes() + order_.bytes())};
+                   static_cast<long>(particles_.bytes() + solid_.bytes() + forces_.bytes() + order_.bytes() + contacts_.bytes())};
   comm_.sum(counts);
   facts_.particles = counts[0];
   facts_.pairs = counts[1];
@@ -104,7 +104,8 @@ void SolidSimulation<D>::collect_facts(const std::vector<GeneratedBody>& bodies,
   collect_bodies(bodies);
   collect_ranks();
   for (const auto& [name, region] : regions_) facts_.regions[name] = region.particles;
-  if (bodies.size() > 1) facts_.warnings.push_back("the bodies do not act on each other: there is no contact between them.");
+  if (bodies.size() > 1 && !contacts_.pairs().any())
+    facts_.warnings.push_back("the bodies do not act on each other: there is no [[contact]] between them.");
   if (!solid_.options().hourglass) facts_.warnings.push_back("zero-energy modes are not controlled: stabilization is off.");
 }
 

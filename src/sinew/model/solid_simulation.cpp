@@ -58,7 +58,7 @@ SolidSimulation<D>::SolidSimulation(const Case& c, const Comm& comm, const std::
       forces_(particles_.slots),
       motion_(make_prescribed_motion(c, regions_, particles_, comm, facts_.warnings)),
       loads_(make_loads(c, regions_, particles_, solid_, comm, facts_.warnings)),
-      contacts_(make_contacts(c, particles_)),
+      contacts_(make_contacts(c, particles_, setup.support_radius, comm)),
       gravity_(constant_body_force<D>(c)),
       probes_(c, regions_),
       step_size_{c.solver.cfl, solid_.hourglass_time_step(), c.solver.time_step.value_or(0.0)},
@@ -67,7 +67,6 @@ SolidSimulation<D>::SolidSimulation(const Case& c, const Comm& comm, const std::
       dissipation_rate_(particles_.blocks.size(), 0.0) {
   wants_hourglass_error_ = probes_.need_hourglass_error();
   set_initial_state(c, regions_, comm, particles_);
-  check_initial_contacts(c, contacts_, particles_, comm);
   start();
   collect_facts(bodies, watch.seconds());
 }
@@ -78,6 +77,7 @@ void SolidSimulation<D>::start() {
   motion_.remember(particles_);
   guard([&] { motion_.move(particles_, 0.0, 0.0); });
   update_forces(0.0);
+  check_initial_contacts(case_, contacts_, particles_, comm_);
   initial_energy_ = energies().total() + energies().dissipated;
   initial_gravity_work_ = totals().gravity_work;
   first_time_step_ = stable_time_step();
@@ -141,8 +141,8 @@ template <int D>
 void SolidSimulation<D>::share_limits() {
   contact_ = {};
   for (std::size_t b = 0; b < particles_.blocks.size(); ++b) {
-    contact_.rate2 = std::max(contact_.rate2, contacts_.sums(b).rate2);
-    contact_.approach = std::max(contact_.approach, contacts_.sums(b).approach);
+    contact_.rate2 = std::max(contact_.rate2, contacts_.sums()[b].rate2);
+    contact_.approach = std::max(contact_.approach, contacts_.sums()[b].approach);
   }
   double limits[] = {summary_.finite ? 0.0 : 1.0,
                      -summary_.smallest_jacobian,
@@ -177,7 +177,7 @@ template <int D>
 Energies SolidSimulation<D>::energies() {
   std::vector<double> partial;
   for (std::size_t b = 0; b < dissipated_.size(); ++b) {
-    const ContactSums contact = contacts_.sums(b);
+    const ContactSums contact = contacts_.sums()[b];
     partial.insert(partial.end(),
                    {motion_.work()[b] + loads_.work()[b] + contact.work, dissipated_[b] + contact.dissipated, contact.energy});
   }

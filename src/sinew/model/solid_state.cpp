@@ -154,12 +154,12 @@ void SolidSimulation<D>::save_contacts(SavedState& s) {
   if (!contacts_.any()) return;
   std::vector<double> sums, wall_forces;
   for (int b = 0; b < static_cast<int>(particles_.blocks.size()); ++b) {
-    const ContactSums of_block = contacts_.sums(b);
-    sums.insert(sums.end(), {of_block.energy, of_block.dissipated, of_block.work});
+    const ContactSums of_block = contacts_.sums()[b];
+    sums.insert(sums.end(), {of_block.energy, of_block.dissipated, of_block.work, of_block.depth});
     const std::vector<double> forces = contacts_.walls().block_forces(b);
     wall_forces.insert(wall_forces.end(), forces.begin(), forces.end());
   }
-  s.arrays["contact"] = gather_over_blocks(comm_, particles_.block_numbers(), sums, 3);
+  s.arrays["contact"] = gather_over_blocks(comm_, particles_.block_numbers(), sums, 4);
   s.arrays["wall_forces"] = gather_over_blocks(comm_, particles_.block_numbers(), wall_forces, D * contacts_.walls().count());
   s.arrays["wall_offsets"] = contacts_.walls().offsets();
   s.arrays["contact_limits"] = {contact_.rate2, contact_.approach};
@@ -173,7 +173,9 @@ void SolidSimulation<D>::restore_contacts(const SavedState& s) {
   std::vector<std::vector<double>> forces;
   for (int b = 0; b < static_cast<int>(particles_.blocks.size()); ++b) {
     const auto number = static_cast<std::size_t>(particles_.blocks[b].number);
-    contacts_.restore_sums(b, {sums[3 * number], sums[3 * number + 1], sums[3 * number + 2]});
+    ContactSums& of_block = contacts_.sums()[b];
+    of_block = {sums[4 * number], sums[4 * number + 1], sums[4 * number + 2]};
+    of_block.depth = sums[4 * number + 3];
     forces.emplace_back(wall_forces.begin() + number * width, wall_forces.begin() + (number + 1) * width);
   }
   contacts_.walls().restore(s.arrays.at("wall_offsets"), forces);
