@@ -26,8 +26,8 @@ void Walls<D>::move(Wall& wall, double t, double dt) const {
 
 template <int D>
 template <class Shape>
-void Walls<D>::push_block(Wall& wall, const Shape& shape, const Particles<D>& particles, int block, double dt,
-                          VectorField<D>& forces, VectorField<D>& contact_forces, ContactSums& sums) {
+void Walls<D>::push_block(Wall& wall, const Shape& shape, const Particles<D>& particles, int block, const Push& push,
+                          ContactSums& sums) {
   HertzContact law = wall.condition.law;
   law.stiffness = wall.condition.stiffness[particles.blocks[block].body];
   Vec<Pack, D> offset, velocity, total;
@@ -41,9 +41,9 @@ void Walls<D>::push_block(Wall& wall, const Shape& shape, const Particles<D>& pa
     const Vec<Pack, D> v = eight(particles.velocity) - velocity;
     const Pack depth = select(mass > Pack(0.0), radius - gap.distance, Pack(-1.0));
     const Pack width = D == 2 ? Pack(thickness_) / (2.0 * radius + 1e-300) : Pack(1.0);
-    const auto contact = law.force(Touch<Pack, D>{depth, gap.normal, v, radius, width, mass}, dt);
-    eight.add(contact.force, forces);
-    eight.add(contact.force, contact_forces);
+    const auto contact = law.force(Touch<Pack, D>{depth, gap.normal, v, radius, width, mass}, push.dt);
+    eight.add(contact.force, push.forces);
+    eight.add(contact.force, push.contact_forces);
     total += contact.force;
     energy += contact.energy;
     power += contact.dissipated;
@@ -55,11 +55,11 @@ void Walls<D>::push_block(Wall& wall, const Shape& shape, const Particles<D>& pa
   Vec<double, D>& force = wall.force[block];
   for (int c = 0; c < D; ++c) {
     const double now = sum(total[c]);
-    sums.work += 0.5 * (force[c] + now) * wall.moved[c] * (dt > 0.0);
+    sums.work += 0.5 * (force[c] + now) * wall.moved[c] * (push.dt > 0.0);
     force[c] = now;
   }
   sums.energy += sum(energy);
-  sums.dissipated += dt * sum(power);
+  sums.dissipated += push.dt * sum(power);
   sums.rate2 = std::max(sums.rate2, largest(rate2));
   sums.approach = std::max(sums.approach, largest(approach));
   sums.depth = std::max(sums.depth, largest(deepest));
@@ -76,7 +76,7 @@ void Walls<D>::push(const Particles<D>& particles, double t, double dt, VectorFi
 #pragma omp parallel for schedule(dynamic, 1) if (particles.slots >= fewest_for_threads)
           for (int b = 0; b < blocks; ++b)
             if (wall.condition.stiffness[particles.blocks[b].body] > 0.0)
-              push_block(wall, shape, particles, b, dt, forces, contact_forces, sums[b]);
+              push_block(wall, shape, particles, b, {forces, contact_forces, dt}, sums[b]);
         },
         wall.condition.shape);
   }

@@ -57,10 +57,14 @@ class Walls {
     Vec<double, D> moved;               ///< in the last step
     std::vector<Vec<double, D>> force;  ///< on the particles of each block
   };
+  /// Where forces go, and the length of the step.
+  struct Push {
+    VectorField<D>&forces, &contact_forces;
+    double dt;
+  };
   void move(Wall& wall, double t, double dt) const;
   template <class Shape>
-  void push_block(Wall& wall, const Shape& shape, const Particles<D>& particles, int block, double dt, VectorField<D>& forces,
-                  VectorField<D>& contact_forces, ContactSums& sums);
+  void push_block(Wall& wall, const Shape& shape, const Particles<D>& particles, int block, const Push& push, ContactSums& sums);
 
   std::vector<Wall> walls_;
   AlignedArray<double> radius_;

@@ -6,9 +6,10 @@
 #include <limits>
 #include <map>
 #include <optional>
-#include <sinew/contact_laws/registry.hpp>
 #include <sinew/core/node.hpp>
 #include <sinew/core/units.hpp>
+#include <sinew/model/contact_case.hpp>
+#include <sinew/model/expect_case.hpp>
 #include <sinew/model/expression.hpp>
 #include <sinew/model/field_names.hpp>
 #include <sinew/model/plane_state.hpp>
@@ -136,42 +137,6 @@ struct BoundaryCase {
   Place place;
 };
 
-/// [[contact]]
-struct ContactCase {
-  std::vector<std::string> bodies;  ///< empty: all
-  bool self = false;
-  HertzContact law;
-  Place place;
-
-  static void describe(auto&& field, auto& m) {
-    field("bodies", m.bodies, no_unit, "The bodies that touch each other; by default all.", optional, TypeText{"array of names"});
-    field(
-        "self", m.self, no_unit,
-        "Whether each of them also touches itself: particles of it that were farther apart than the kernel radius at the start.",
-        optional);
-    HertzContact::describe(field, m.law);
-  }
-};
-
-/// [[wall]]
-struct WallCase {
-  std::string name;
-  AnyWallShape geometry;
-  HertzContact law;
-  std::optional<std::array<Expression, 3>> velocity, displacement;  ///< of time
-  std::vector<std::string> bodies;                                  ///< empty: all
-  Place place;
-
-  static void describe(auto&& field, auto& m) {
-    field("name", m.name, no_unit, "Name of the wall, by which probes and messages call it.");
-    field("geometry", m.geometry, no_unit, "Its surface.", TypeText{"table with \"shape\""});
-    field("velocity", m.velocity, "m/s", "Velocity of the wall, a function of t; it does not turn.", optional);
-    field("displacement", m.displacement, "m", "Instead of a velocity: where it has moved by time t.", optional);
-    field("bodies", m.bodies, no_unit, "The bodies that it acts on; by default all.", optional, TypeText{"array of names"});
-    HertzContact::describe(field, m.law);
-  }
-};
-
 /// [solver]
 struct SolverCase {
   std::string mode = "explicit";
@@ -257,44 +222,6 @@ struct ProbeCase {
     field("wall", m.wall, no_unit, "For wall_force: which wall.", optional, TypeText{"name of a wall"});
     field("expression", m.expression, no_unit, "Instead of a quantity: a formula over earlier probes, the parameters and t.",
           optional);
-  }
-};
-
-/// [[expect]]
-struct ExpectCase {
-  std::string quantity;  ///< probe.NAME.REDUCTION
-  double value = 0.0;
-  std::optional<double> tolerance;  ///< relative
-  std::optional<double> absolute;
-  std::optional<double> exact;                       ///< .rate: the value towards which the sequence converges
-  std::vector<std::pair<std::string, double>> with;  ///< only the runs of the study with these values
-  std::string why, source, note;
-  std::string tier = "quick";
-  std::string probe;      ///< of the quantity: NAME
-  std::string reduction;  ///< of the quantity: final | min | max | at | period | frequency | range | drift | rate
-  double time = 0.0;      ///< of at(time)
-  Place place;
-
-  static void describe(auto&& field, auto& m) {
-    field("quantity", m.quantity, no_unit, "probe.NAME.final, or min, max, at(t), range, drift, period, frequency, rate.");
-    field("value", m.value, any_unit, "The published value.", any_number);
-    field("tolerance", m.tolerance, no_unit, "Allowed relative difference; this or `absolute`.", positive, optional);
-    field("absolute", m.absolute, any_unit, "Allowed absolute difference; this or `tolerance`.", positive, optional);
-    field("exact", m.exact, any_unit, "For rate: the value towards which the sequence converges.", optional);
-    field("with", m.with, no_unit, "Only the runs of the study with these values.", optional);
-    field("why", m.why, no_unit, "Why this tolerance.", optional);
-    field("source", m.source, no_unit, "Figure, table or equation.", optional);
-    field("note", m.note, no_unit, "Anything else worth knowing.", optional);
-    field("tier", m.tier, no_unit, "When it is checked: always, or in the full tier only.", optional, OneOf{{"quick", "full"}});
-  }
-};
-
-/// [study]
-struct StudyCase {
-  std::vector<std::pair<std::string, std::vector<double>>> vary;  ///< key path -> values; all combinations are run
-
-  static void describe(auto&& field, auto& m) {
-    field("vary", m.vary, any_unit, "Key paths and their values; all combinations are run.");
   }
 };
 

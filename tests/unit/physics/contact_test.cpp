@@ -102,7 +102,7 @@ void check_shape(const Shape& shape, double least, double most) {
   }
 }
 
-TEST(WallShapes, NormalIsTheGradientOfTheDistance) {
+TEST(WallShapes, NormalAndGradientAgree) {
   for (const bool inside : {false, true}) {
     PlaneWall plane{{{0.1, 0.2, 0.3}}, {{1, 2, -2}}};
     EXPECT_EQ(plane.complete(), std::nullopt);
