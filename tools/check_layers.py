@@ -10,7 +10,7 @@ import re
 import sys
 from pathlib import Path
 
-PHYSICS = {"kernels", "corrections", "materials", "stabilization", "contact_laws"}
+PHYSICS = {"kernels", "corrections", "materials", "stabilization", "contact_laws", "damage"}
 SOLVER = {"core", "particles", "neighbors", "parallel"} | PHYSICS
 
 # Folder -> the folders it may include besides itself.

@@ -136,7 +136,7 @@ TEST(Contact, ListMissesNobody) {
   Particles<3> particles = make_particles<3>({{"a", &a, 1.0, 1.0}, {"b", &b, 1.0, 1.0}}, 1.0);
   HertzContact law;
   law.stiffness = 3.0;
-  const ContactTable table{2, {law}, {-1, 0, 0, -1}};
+  const ContactTable table{2, {law}, {-1, 0, 0, -1}, {0, 0}};
   PairContacts<3> contacts(table, particles, std::vector<double>(particles.slots, 2.0), 1.0, Comm());
   VectorField<3> velocity(particles.slots), forces(particles.slots), unused(particles.slots);
   for (int slot : particles.slot_of) velocity.set(slot, {{speed(random), speed(random), speed(random)}});

@@ -35,7 +35,7 @@ void check_path(double jitter) {
   VectorField<D> forces(cloud.particles.slots);
   PlasticHistory<Mat3<double>> history;
   RecordedState recorded(cloud.particles.slots);
-  recorded.plastic = VectorField<3>(cloud.particles.slots);
+  recorded.inelastic = VectorField<4>(cloud.particles.slots);
   for (int step = 1; step <= 12; ++step) {
     displace<D>(cloud.particles, path<D>(step), 0.0);
     const Response<Mat3<double>> expected = metal().respond(embed(path<D>(step), 1.0), history, 0.0);
@@ -45,8 +45,8 @@ void check_path(double jitter) {
     double worst = 0.0, strain = 0.0;
     for (int slot : cloud.particles.slot_of) {
       for (int c = 0; c < 9; ++c) worst = std::max(worst, std::abs(recorded.stress.at(c, slot) - expected.P[c / 3][c % 3]));
-      strain = std::max(strain, std::abs(recorded.plastic.at(0, slot) - history.strain));
-      EXPECT_NEAR(recorded.plastic.at(1, slot), history.work, 1e-13);
+      strain = std::max(strain, std::abs(recorded.inelastic.at(0, slot) - history.strain));
+      EXPECT_NEAR(recorded.inelastic.at(1, slot), history.work, 1e-13);
     }
     EXPECT_LT(worst, 1e-12);
     EXPECT_LT(strain, 1e-12);

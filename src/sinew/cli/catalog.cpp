@@ -83,6 +83,7 @@ CatalogKind sections() {
 const std::vector<CatalogKind>& catalog() {
   static const std::vector<CatalogKind> kinds{
       kind_of<Materials>("materials", "[material.NAME] model = \"NAME\""),
+      kind_of<DamageModels>("damages", "[material.NAME] damage = { model = \"NAME\" }"),
       kind_of<Kernels>("kernels", "[formulation] kernel = \"NAME\""),
       kind_of<Corrections>("corrections", "[formulation] correction = \"NAME\""),
       kind_of<Stabilizations>("stabilizations", "[formulation] stabilization = [ { model = \"NAME\" } ]"),

@@ -68,7 +68,7 @@ struct PairContacts<D>::Boxes {
 template <int D>
 void PairContacts<D>::Point::append_to(std::vector<double>& rows) const {
   rows.insert(rows.end(), reference.c, reference.c + D);
-  rows.insert(rows.end(), {radius, support, mass, static_cast<double>(body), static_cast<double>(number)});
+  rows.insert(rows.end(), {radius, support, inverse_mass, static_cast<double>(body), static_cast<double>(number)});
 }
 
 template <int D>
@@ -80,8 +80,9 @@ typename PairContacts<D>::Point PairContacts<D>::Point::from_row(const double* r
 
 template <int D>
 typename PairContacts<D>::Point PairContacts<D>::point_of(const Particles<D>& particles, int slot) const {
-  return {particles.position[slot], radius_[slot],           support_[slot],
-          particles.mass[slot],     particles.body_of(slot), particles.user_index[slot]};
+  const int body = particles.body_of(slot);
+  const double inverse_mass = table_.driven[body] ? 0.0 : 1.0 / particles.mass[slot];
+  return {particles.position[slot], radius_[slot], support_[slot], inverse_mass, body, particles.user_index[slot]};
 }
 
 /// Those of one body touch only if they were apart at the start.

@@ -86,7 +86,7 @@ void PairContacts<D>::push_block(int block, double dt, VectorField<D>& forces, V
       if (distance2 > near * near * touching * touching) continue;
       const double distance = std::sqrt(distance2);
       const Vec<double, D> normal = (1.0 / (distance + 1e-300)) * apart, slip = v - velocity(j);
-      const double mass = own.mass * other.mass / (own.mass + other.mass), coming = -dot(slip, normal);
+      const double mass = 1.0 / (own.inverse_mass + other.inverse_mass), coming = -dot(slip, normal);
       const auto contact = table_.laws[table_.law(own.body, other.body)].force(
           Touch<double, D>{touching - distance, normal, slip, own.radius * other.radius / touching,
                            D == 2 ? thickness_ / touching : 1.0, mass},

@@ -15,7 +15,8 @@ namespace sinew {
 struct ContactTable {
   int bodies = 0;
   std::vector<HertzContact> laws;
-  std::vector<int> law_of;  ///< bodies x bodies, symmetric; -1: they pass through each other
+  std::vector<int> law_of;   ///< bodies x bodies, symmetric; -1: they pass through each other
+  std::vector<char> driven;  ///< of each body: it moves as given, as if its mass were infinite
 
   bool any() const { return !laws.empty(); }
   int law(int body, int other) const { return law_of[static_cast<std::size_t>(body) * bodies + other]; }
@@ -47,7 +48,7 @@ class PairContacts {
   /// What never changes of a particle that may touch others.
   struct Point {
     Vec<double, D> reference;
-    double radius, support, mass;
+    double radius, support, inverse_mass;
     int body, number;  ///< number: in the user's order
 
     static constexpr int width = D + 5;  ///< numbers in which it travels

@@ -1,4 +1,4 @@
-#include <sinew/formulations/material_point.hpp>
+#include <sinew/formulations/damage_point.hpp>
 #include <sinew/materials/plane_stress.hpp>
 
 #include <stdexcept>
@@ -55,11 +55,11 @@ void respond_with_history(const void* pointer, const Mat<Pack, D>& plane, const 
   typename Material::template History<M> history;
   for_each_number(history, *slice,
                   [&](Pack& number, const double* values) { number = slice->slots.load(values, slice->block.first); });
-  const Pack modulus = material.hourglass_modulus(history);
+  const Pack modulus = material.hourglass_modulus(history), strain = history.strain;
   const Response<M> r = slice->step.keep ? material.respond(F, history, slice->step.dt) : material.recall(F, history);
   put(F, r, material.acoustic_stiffness(F, r.P), modulus, out);
   out.hourglass_left = material.hourglass_modulus(history) / modulus;
-  out.plastic = {history.strain, history.work, material.temperature(history)};
+  out.plastic = {history.strain, history.work, material.temperature(history), history.strain - strain};
   if (slice->step.keep)
     for_each_number(history, *slice,
                     [&](const Pack& number, double* values) { slice->slots.store(number, values, slice->block.first); });
@@ -90,11 +90,23 @@ MaterialPoint<D> point_of(const Material& material, [[maybe_unused]] bool plane_
 }  // namespace
 
 template <int D>
-MaterialPoint<D> material_point(const AnyMaterial& any, bool plane_stress) {
-  return std::visit([&](const auto& material) { return point_of<D>(material, plane_stress); }, any);
+MaterialPoint<D> material_point(const AnyMaterial& any, const AnyDamage* damage, bool plane_stress) {
+  MaterialPoint<D> point = std::visit([&](const auto& material) { return point_of<D>(material, plane_stress); }, any);
+  if (!damage) return point;
+  if (plane_stress) throw std::logic_error("damage in plane stress");
+  point.damage = std::visit([](const auto& model) -> const void* { return &model; }, *damage);
+  point.damage_function = damage_function<D>(*damage);
+  point.damage_step = {point.numbers,
+                       std::visit(
+                           [](const auto& material) {
+                             return std::sqrt((material.elastic.lambda() + 2.0 * material.elastic.mu()) / material.density);
+                           },
+                           any)};
+  point.numbers += numbers_of(*damage);
+  return point;
 }
 
-template MaterialPoint<2> material_point<2>(const AnyMaterial&, bool);
-template MaterialPoint<3> material_point<3>(const AnyMaterial&, bool);
+template MaterialPoint<2> material_point<2>(const AnyMaterial&, const AnyDamage*, bool);
+template MaterialPoint<3> material_point<3>(const AnyMaterial&, const AnyDamage*, bool);
 
 }  // namespace sinew

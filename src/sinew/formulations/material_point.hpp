@@ -2,6 +2,7 @@
 /// Between a material, known only as one of many, and the sweep, which is compiled once for all of them: the response of eight particles at
 /// once behind one call a slice.
 
+#include <sinew/damage/registry.hpp>
 #include <sinew/formulations/slice_slots.hpp>
 #include <sinew/materials/registry.hpp>
 
@@ -12,6 +13,15 @@ struct PlasticState {
   Pack strain{0.0};       ///< equivalent plastic strain
   Pack work{0.0};         ///< plastic work per reference volume, dissipated [pressure]
   Pack temperature{0.0};  ///< [K]; 0 where the material knows none
+  Pack increment{0.0};    ///< of the strain in this step
+};
+
+/// What damage has done to a particle.
+struct DamageState {
+  Pack now{0.0};     ///< D
+  Pack work{0.0};    ///< dissipated by damage per reference volume [pressure]
+  Pack intact{1.0};  ///< 1 - D before this step
+  Pack left{1.0};    ///< part of that which is left after it
 };
 
 template <int D>
@@ -25,6 +35,7 @@ struct PointResponse {
   Pack thickness_stretch{1.0};  ///< F33
   Pack thickness_stress{0.0};   ///< P33 in 2D [pressure]
   PlasticState plastic{};
+  DamageState damage{};
 };
 
 /// The histories of a block: number n of the particle in `slot` is values[n * count + slot - first].
@@ -44,24 +55,37 @@ struct SliceHistory {
   HistorySlots block;
   SliceSlots<D> slots;
   PointStep step;
+  const double* radius;  ///< by slot: support radius [length]
+};
+
+/// Where damage finds its numbers in a history, and the speed of sound of the material.
+struct DamageStep {
+  int first_number = 0;
+  double sound_speed = 0.0;
 };
 
 /// Fills `response` for the deformation gradient F.
 template <int D>
 struct MaterialPoint {
   using Function = void (*)(const void* material, const Mat<Pack, D>& F, const SliceHistory<D>* history, PointResponse<D>& out);
+  using DamageFunction = void (*)(const void* damage, const Mat<Pack, D>& F, const SliceHistory<D>& history,
+                                  const DamageStep& step, PointResponse<D>& out);
   const void* material;
   Function function;
-  int numbers;  ///< of a particle's history
+  int numbers;                   ///< of a particle's history
+  const void* damage = nullptr;  ///< nullptr: none
+  DamageFunction damage_function = nullptr;
+  DamageStep damage_step{};
 
   /// `history`: nullptr where there are no numbers.
   void operator()(const Mat<Pack, D>& F, const SliceHistory<D>* history, PointResponse<D>& response) const {
     function(material, F, history, response);
+    if (damage) damage_function(damage, F, *history, damage_step, response);
   }
 };
 
-/// The material stays with the caller. `plane_stress`: only in 2D, and only for materials without history.
+/// Material and damage (nullptr: none) stay with the caller. `plane_stress`: only in 2D, and only without history.
 template <int D>
-MaterialPoint<D> material_point(const AnyMaterial& material, bool plane_stress);
+MaterialPoint<D> material_point(const AnyMaterial& material, const AnyDamage* damage, bool plane_stress);
 
 }  // namespace sinew

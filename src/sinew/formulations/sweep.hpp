@@ -13,11 +13,17 @@ namespace sinew {
 
 /// Sums and extremes over the slices of a block, lane by lane.
 struct SweepSums {
-  Pack energy{0.0}, hourglass_energy{0.0}, released{0.0}, plastic_work{0.0}, jacobian{infinity}, stiffness_rate{0.0};
+  Pack energy{0.0}, hourglass_energy{0.0}, released{0.0}, plastic_work{0.0}, damage_work{0.0};
+  Pack jacobian{infinity}, stiffness_rate{0.0};
 
   ForceSummary total(double density) const {
-    return {sum(energy),       sum(hourglass_energy), sum(released),
-            sum(plastic_work), smallest(jacobian),    largest(stiffness_rate) / density};
+    return {sum(energy),
+            sum(hourglass_energy),
+            sum(released),
+            sum(plastic_work),
+            sum(damage_work),
+            smallest(jacobian),
+            largest(stiffness_rate) / density};
   }
 };
 
@@ -44,9 +50,10 @@ void keep(const SweepTask<D>& task, int slice, const Mat<Pack, D>& F, const Poin
   }
   slots.store(point.energy, state.energy_density.data());
   if (task.material.numbers > 0) {
-    slots.store(point.plastic.strain, state.plastic.component(0));
-    slots.store(point.plastic.work, state.plastic.component(1));
-    slots.store(point.plastic.temperature, state.plastic.component(2));
+    slots.store(point.plastic.strain, state.inelastic.component(0));
+    slots.store(point.plastic.work, state.inelastic.component(1));
+    slots.store(point.plastic.temperature, state.inelastic.component(2));
+    slots.store(point.damage.now, state.inelastic.component(3));
   }
   if (state.hourglass_error.size() > 0) slots.store(hourglass_error(F, pairs), state.hourglass_error.data());
 }
@@ -75,14 +82,16 @@ SINEW_INLINE void give_forces(const SweepTask<D>& task, const SliceConstants<D>&
   const Pack volume = constants.volume * task.thickness;
   sums.energy += volume * point.energy;
   sums.plastic_work += volume * point.plastic.work;
+  sums.damage_work += volume * point.damage.work;
   sums.jacobian = min(sums.jacobian, point.jacobian);
   sums.stiffness_rate = max(sums.stiffness_rate, point.acoustic_stiffness * constants.inverse_length2);
 
   const Pack modulus = task.fixed_modulus > 0.0 ? Pack(task.fixed_modulus) : point.hourglass_modulus;
-  const Pack stiffness = volume * task.hourglass * modulus * constants.hourglass_scale;
+  const Pack stiffness = volume * task.hourglass * modulus * point.damage.intact * constants.hourglass_scale;
   Shares shares(PointState<D>{(volume * point.P) * constants.correction_matrix(), slice.F, slice.S, stiffness});
   pairs.exchange(shares);
-  const Pack energy = shares.hourglass_energy(), left = task.fixed_modulus > 0.0 ? Pack(1.0) : point.hourglass_left;
+  const Pack energy = shares.hourglass_energy(),
+             left = point.damage.left * (task.fixed_modulus > 0.0 ? Pack(1.0) : point.hourglass_left);
   sums.hourglass_energy += left * energy;
   sums.released += energy - left * energy;
 }
@@ -90,7 +99,8 @@ SINEW_INLINE void give_forces(const SweepTask<D>& task, const SliceConstants<D>&
 template <int D>
 SINEW_INLINE void ask_material(const SweepTask<D>& task, int slice, SliceInWork<D>& work) {
   if (task.material.numbers == 0) return task.material(work.F, nullptr, work.point);
-  const SliceHistory<D> history{task.history, SliceSlots<D>(task.source.pairs, task.block, slice), task.step};
+  const SliceHistory<D> history{task.history, SliceSlots<D>(task.source.pairs, task.block, slice), task.step,
+                                task.weights.radius.data()};
   task.material(work.F, &history, work.point);
 }
 

@@ -33,8 +33,8 @@ double hourglass_limit(const Particles<D>& particles, const PairWeights<D>& weig
 template <int D>
 std::vector<int> history_numbers(const TotalLagrangianOptions& options) {
   std::vector<int> numbers;
-  for (const AnyMaterial& material : options.materials)
-    numbers.push_back(material_point<D>(material, options.plane_stress).numbers);
+  for (std::size_t b = 0; b < options.materials.size(); ++b)
+    numbers.push_back(material_point<D>(options.materials[b], options.damage_of(b), options.plane_stress).numbers);
   return numbers;
 }
 
@@ -115,7 +115,7 @@ SweepTask<D> TotalLagrangian<D>::task_of(int index, const PairSource<D>& source,
           source,
           weights_,
           weights,
-          material_point<D>(material, options_.plane_stress),
+          material_point<D>(material, options_.damage_of(block.body), options_.plane_stress),
           options_.thickness,
           density_of(material),
           options_.hourglass ? options_.hourglass->coefficient() : 0.0,
@@ -134,6 +134,7 @@ ForceSummary TotalLagrangian<D>::total(const std::vector<ForceSummary>& of_block
     total.hourglass_energy += part.hourglass_energy;
     total.released += part.released;
     total.plastic_work += part.plastic_work;
+    total.damage_work += part.damage_work;
     total.smallest_jacobian = std::min(total.smallest_jacobian, part.smallest_jacobian);
     total.largest_rate2 = std::max(total.largest_rate2, part.largest_rate2);
   }
@@ -206,10 +207,11 @@ StoredEnergy TotalLagrangian<D>::stored_energy() const {
   std::vector<double> partial;
   for (int b = 0; b < pairs_.blocks.count(); ++b) {
     numbers.push_back(pairs_.blocks.all[b].number);
-    partial.insert(partial.end(), {summaries_[b].strain_energy, summaries_[b].hourglass_energy, summaries_[b].plastic_work});
+    partial.insert(partial.end(), {summaries_[b].strain_energy, summaries_[b].hourglass_energy, summaries_[b].plastic_work,
+                                   summaries_[b].damage_work});
   }
-  const std::vector<double> sums = sum_over_blocks(comm_, numbers, partial, 3);
-  return {sums[0], sums[1], sums[2]};
+  const std::vector<double> sums = sum_over_blocks(comm_, numbers, partial, 4);
+  return {sums[0], sums[1], sums[2], sums[3]};
 }
 
 template <int D>

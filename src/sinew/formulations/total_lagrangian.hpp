@@ -25,6 +25,7 @@ struct ForceSummary {
   double hourglass_energy = 0.0;  ///< measure of the energy in the hourglass stiffness [energy]
   double released = 0.0;      ///< what the hourglass stiffness has lost since the last step, since flow has softened it [energy]
   double plastic_work = 0.0;  ///< dissipated in all of the past [energy]
+  double damage_work = 0.0;   ///< likewise by damage [energy]
   double smallest_jacobian = 1.0;  ///< min det F
   double largest_rate2 = 0.0;      ///< max of (fastest wave speed / length)^2 [1/time^2]
   bool finite = true;              ///< whether all of it is a number
@@ -36,7 +37,8 @@ struct RecordedState {
   VectorField<9> stress;                ///< first Piola-Kirchhoff, likewise
   AlignedArray<double> energy_density;
   AlignedArray<double> hourglass_error;  ///< largest |F X - x| / |X| over the neighbors; empty if nobody wants it
-  VectorField<3> plastic;  ///< plastic strain, plastic work [pressure], temperature [K]; empty if no material has a history
+  VectorField<4>
+      inelastic;  ///< plastic strain, plastic work [pressure], temperature [K], damage; empty if no material has a history
   explicit RecordedState(int slots) : deformation_gradient(slots), stress(slots), energy_density(slots) {}
 };
 
@@ -48,12 +50,18 @@ struct TotalLagrangianOptions {
   bool plane_stress = false;
   double thickness = 1.0;
   WeightStorage weights = WeightStorage::automatic;
-  bool lattice = true;  ///< look for regular arrangements
+  bool lattice = true;                              ///< look for regular arrangements
+  std::vector<std::optional<AnyDamage>> damages{};  ///< one a body, or empty: none
+
+  /// nullptr: none.
+  const AnyDamage* damage_of(std::size_t body) const {
+    return body < damages.size() && damages[body] ? &*damages[body] : nullptr;
+  }
 };
 
 /// Energies of all particles of all ranks.
 struct StoredEnergy {
-  double strain = 0.0, hourglass = 0.0, plastic_work = 0.0;
+  double strain = 0.0, hourglass = 0.0, plastic_work = 0.0, damage_work = 0.0;
 };
 
 /// Whether pairs of regular arrangements can go without a list.

@@ -49,6 +49,7 @@ struct BodyCase {
   AnyGeometry geometry;  ///< variant over the registered shapes
   std::string material_name;
   AnyMaterial material;
+  std::optional<AnyDamage> damage;
   Place place;
   Place geometry_place;
 

@@ -45,10 +45,12 @@ ContactTable contact_table(const Case& c) {
   ContactTable table;
   table.bodies = static_cast<int>(c.bodies.size());
   table.law_of.assign(c.bodies.size() * c.bodies.size(), -1);
+  for (const BodyCase& body : c.bodies) table.driven.push_back(youngs_modulus(body.material) == 0.0);
   for (const ContactCase& contact : c.contacts)
     for (std::size_t a = 0; a < c.bodies.size(); ++a)
       for (std::size_t b = a; b < c.bodies.size(); ++b) {
-        if (!among(contact.bodies, c.bodies[a].name) || !among(contact.bodies, c.bodies[b].name) || (a == b && !contact.self))
+        if (!among(contact.bodies, c.bodies[a].name) || !among(contact.bodies, c.bodies[b].name) || (a == b && !contact.self) ||
+            (table.driven[a] && table.driven[b]))
           continue;
         table.law_of[a * c.bodies.size() + b] = table.law_of[b * c.bodies.size() + a] = static_cast<int>(table.laws.size());
         table.laws.push_back(contact.law);

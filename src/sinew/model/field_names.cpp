@@ -27,6 +27,7 @@ const std::vector<QuantityInfo>& particle_quantities() {
       {"thickness_stretch", scalar, "1", "Stretch F33 across the plane; two dimensions only."},
       {"plastic_strain", scalar, "1", "Equivalent plastic strain; 0 in elastic materials."},
       {"plastic_work", scalar, "J/m^3", "Plastic work per reference volume; 0 in elastic materials."},
+      {"damage", scalar, "1", "Damage, from 0 (intact) to 1 (failed: carries no tension)."},
       {"temperature", scalar, "K", "Temperature; 0 in materials that know none."},
   };
   return list;
@@ -40,8 +41,9 @@ const std::vector<QuantityInfo>& total_quantities() {
       {"energy.contact", scalar, "J", "Elastic energy of contact.", true},
       {"energy.external_work", scalar, "J", "Work done by loads, body forces, prescribed motions and moving walls.", true},
       {"energy.total", scalar, "J", "Kinetic, strain, hourglass and contact energy.", true},
-      {"energy.dissipated", scalar, "J", "Energy taken out by damping, contact and plastic flow.", true},
+      {"energy.dissipated", scalar, "J", "Energy taken out by damping, contact, plastic flow and damage.", true},
       {"energy.plastic_work", scalar, "J", "Plastic work, part of the dissipated energy.", true},
+      {"energy.damage_work", scalar, "J", "Energy dissipated by damage, part of the dissipated energy.", true},
       {"energy.balance_error", scalar, "J", "Total and dissipated energy minus external work and initial energy.", true},
       {"linear_momentum", vector, "kg m/s", "Sum of mass times velocity.", true},
       {"angular_momentum", vector, "kg m^2/s", "Sum of position cross mass times velocity, about the origin.", true},

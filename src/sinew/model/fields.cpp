@@ -128,11 +128,11 @@ Vec<Pack, D> contact_force_at(const QuantitySource<D>& from, const Eight& at) {
   return at.of(*from.contact_forces);
 }
 
-/// A component of RecordedState::plastic.
+/// A component of RecordedState::inelastic.
 template <int component, int D>
-Pack plastic_at(const QuantitySource<D>& from, const Eight& at) {
-  const VectorField<3>& plastic = from.record->plastic;
-  return plastic.empty() ? Pack(0.0) : at.of(plastic.component(component));
+Pack inelastic_at(const QuantitySource<D>& from, const Eight& at) {
+  const VectorField<4>& inelastic = from.record->inelastic;
+  return inelastic.empty() ? Pack(0.0) : at.of(inelastic.component(component));
 }
 
 template <int D>
@@ -159,9 +159,10 @@ const std::map<std::string_view, ParticleQuantity<D>>& quantities() {
       {"strain_energy_density", quantity<D>([](S s, At i) { return i.of(s.record->energy_density.data()); })},
       {"hourglass_error", quantity<D>([](S s, At i) { return i.of(s.record->hourglass_error.data()); })},
       {"thickness_stretch", quantity<D>([](S s, At i) { return gradient_at(s, i)[2][2]; })},
-      {"plastic_strain", quantity<D>([](S s, At i) { return plastic_at<0>(s, i); })},
-      {"plastic_work", quantity<D>([](S s, At i) { return plastic_at<1>(s, i); })},
-      {"temperature", quantity<D>([](S s, At i) { return plastic_at<2>(s, i); })},
+      {"plastic_strain", quantity<D>([](S s, At i) { return inelastic_at<0>(s, i); })},
+      {"plastic_work", quantity<D>([](S s, At i) { return inelastic_at<1>(s, i); })},
+      {"damage", quantity<D>([](S s, At i) { return inelastic_at<3>(s, i); })},
+      {"temperature", quantity<D>([](S s, At i) { return inelastic_at<2>(s, i); })},
   };
   return list;
 }

@@ -28,6 +28,7 @@ double energy_of(std::string_view name, const Energies& e) {
   if (name == "energy.external_work") return e.external_work;
   if (name == "energy.dissipated") return e.dissipated;
   if (name == "energy.plastic_work") return e.plastic_work;
+  if (name == "energy.damage_work") return e.damage_work;
   if (name == "energy.balance_error") return e.balance_error();
   return e.total();
 }

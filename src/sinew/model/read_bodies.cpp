@@ -3,7 +3,35 @@
 namespace sinew {
 namespace {
 
-using NamedMaterials = std::map<std::string, AnyMaterial>;
+struct MaterialCase {
+  AnyMaterial material;
+  std::optional<AnyDamage> damage;
+};
+using NamedMaterials = std::map<std::string, MaterialCase>;
+
+bool has_history(const AnyMaterial& any) {
+  return std::visit([]<class Material>(const Material&) { return HasHistory<Material>; }, any);
+}
+
+std::string name_of(const AnyMaterial& any) {
+  return std::visit([](const auto& material) { return std::string(material.name); }, any);
+}
+
+/// A material with its damage. Returns the table with the defaults filled in.
+Node read_material(CaseReader& reader, MaterialCase& material, const Node& entry, const std::string& owner) {
+  Node table = entry;
+  const Node* damage = entry.find("damage");
+  if (damage) erase_member(table, "damage");
+  Node resolved = read_registered(material.material, table, owner, reader.reading);
+  if (!damage) return resolved;
+  Node filled = read_registered(material.damage.emplace(), *damage, owner + ": damage", reader.reading);
+  const bool needs_flow = std::visit([](const auto& model) { return model.needs_flow; }, *material.damage);
+  if (needs_flow && !has_history(material.material))
+    throw CaseError(damage->place, owner + ": damage: this model follows plastic strain, of which \"" +
+                                       name_of(material.material) + "\" has none");
+  set_member(resolved, "damage", std::move(filled));
+  return resolved;
+}
 
 NamedMaterials read_materials(CaseReader& reader) {
   NamedMaterials materials;
@@ -14,7 +42,7 @@ NamedMaterials read_materials(CaseReader& reader) {
     if (!member.value.is(Node::Kind::table))
       throw CaseError(member.place, owner + ": expected a table, written as [material." + key_text(member.key) + "], found " +
                                         member.value.kind_name());
-    Node filled = read_registered(materials[member.key], member.value, owner, reader.reading);
+    Node filled = read_material(reader, materials[member.key], member.value, owner);
     resolved.members.push_back({member.key, member.place, std::move(filled)});
   }
   add_resolved(reader, "material", std::move(resolved));
@@ -32,14 +60,6 @@ std::string owner_of(const Node& entry, std::size_t number) {
   return name && name->is(Node::Kind::string) ? "body \"" + name->text + "\"" : "body " + std::to_string(number);
 }
 
-bool has_history(const AnyMaterial& any) {
-  return std::visit([]<class Material>(const Material&) { return HasHistory<Material>; }, any);
-}
-
-std::string name_of(const AnyMaterial& any) {
-  return std::visit([](const auto& material) { return std::string(material.name); }, any);
-}
-
 /// Reads one [[body]]; an inline material is put among the named ones.
 Node read_body(CaseReader& reader, BodyCase& body, const Node& entry, const std::string& owner, NamedMaterials& materials) {
   Node table = entry;
@@ -47,7 +67,7 @@ Node read_body(CaseReader& reader, BodyCase& body, const Node& entry, const std:
   std::optional<Node> inline_material;
   if (material && material->is(Node::Kind::table)) {
     const std::string name = "of " + owner;
-    inline_material = read_registered(materials[name], *material, owner + ": material", reader.reading);
+    inline_material = read_material(reader, materials[name], *material, owner + ": material");
     *material = Node::make_string(name, material->place);
   }
   Node resolved = read_described(body, table, owner, reader.reading);
@@ -59,8 +79,10 @@ Node read_body(CaseReader& reader, BodyCase& body, const Node& entry, const std:
     throw CaseError(material->place,
                     owner + ": " + unknown_name_message("material", body.material_name, names_of(materials)) + how);
   }
-  body.material = found->second;
-  if (reader.result.general.dimension == 2 && reader.result.general.plane == PlaneState::stress && has_history(body.material))
+  body.material = found->second.material;
+  body.damage = found->second.damage;
+  if (reader.result.general.dimension == 2 && reader.result.general.plane == PlaneState::stress &&
+      (has_history(body.material) || body.damage))
     throw CaseError(material->place, owner + ": material model \"" + name_of(body.material) +
                                          "\" knows no plane stress; use plane = \"strain\" or three dimensions");
   body.place = entry.place;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <sinew/contact_laws/registry.hpp>
 #include <sinew/corrections/registry.hpp>
+#include <sinew/damage/registry.hpp>
 #include <sinew/kernels/registry.hpp>
 #include <sinew/materials/registry.hpp>
 #include <sinew/model/field_reader.hpp>
@@ -19,6 +20,10 @@ struct RegistryOf;
 template <>
 struct RegistryOf<AnyMaterial> : Materials {
   static constexpr const char *what = "material model", *selector = "model";
+};
+template <>
+struct RegistryOf<AnyDamage> : DamageModels {
+  static constexpr const char *what = "model of damage", *selector = "model";
 };
 template <>
 struct RegistryOf<AnyKernel> : Kernels {

@@ -43,8 +43,8 @@ struct Energies {
   double hourglass = 0.0;      ///< of the hourglass stiffness; a measure only for its central forms, which have no potential
   double contact = 0.0;        ///< of elastic contact
   double external_work = 0.0;  ///< of reactions, loads, moving walls and body force since the start
-  double plastic_work = 0.0;
-  double dissipated = 0.0;  ///< by damping, contact, plastic flow, and what the hourglass stiffness has lost to it
+  double plastic_work = 0.0, damage_work = 0.0;
+  double dissipated = 0.0;  ///< by damping, contact, plastic flow, damage, and what the hourglass stiffness has lost to it
   double initial = 0.0;     ///< total of the initial state
   double total() const { return kinetic + strain + hourglass + contact; }
   /// total + dissipated - external_work - initial: 0 for exact time integration, but for central hourglass forces.

@@ -23,7 +23,10 @@ TotalLagrangianOptions options_of(const Case& c) {
   options.thickness = c.general.thickness;
   for (const AnyStabilization& s : c.formulation.stabilizations)
     if (std::get<HourglassStiffness>(s).alpha > 0.0) options.hourglass = std::get<HourglassStiffness>(s);
-  for (const BodyCase& body : c.bodies) options.materials.push_back(body.material);
+  for (const BodyCase& body : c.bodies) {
+    options.materials.push_back(body.material);
+    options.damages.push_back(body.damage);
+  }
   options.weights = weight_storage(c.solver.pair_weights);
   options.lattice = c.solver.lattice == "auto";
   if (c.general.dimension == 3) options.plane_stress = false, options.thickness = 1.0;
@@ -189,7 +192,8 @@ Energies SolidSimulation<D>::energies() {
   e.external_work = sums[0] + totals().gravity_work - initial_gravity_work_;
   e.contact = sums[2];
   e.plastic_work = stored_energy().plastic_work;
-  e.dissipated = sums[1] + e.plastic_work;
+  e.damage_work = stored_energy().damage_work;
+  e.dissipated = sums[1] + e.plastic_work + e.damage_work;
   e.initial = initial_energy_;
   return e;
 }
@@ -212,7 +216,7 @@ template <int D>
 RecordedState& SolidSimulation<D>::room_for_record() {
   if (!record_) {
     record_ = std::make_unique<RecordedState>(particles_.slots);
-    if (solid_.history().width() > 0) record_->plastic = VectorField<3>(particles_.slots);
+    if (solid_.history().width() > 0) record_->inelastic = VectorField<4>(particles_.slots);
   }
   if (wants_hourglass_error_ && record_->hourglass_error.size() != static_cast<std::size_t>(particles_.slots)) {
     record_->hourglass_error = AlignedArray<double>(particles_.slots);

@@ -144,6 +144,7 @@ SavedState SolidSimulation<D>::save() {
                {"strain_energy", stored_energy().strain},
                {"hourglass_energy", stored_energy().hourglass},
                {"plastic_work", stored_energy().plastic_work},
+               {"damage_work", stored_energy().damage_work},
                {"smallest_jacobian", summary_.smallest_jacobian},
                {"largest_rate2", summary_.largest_rate2}};
   return s;
@@ -217,7 +218,8 @@ void SolidSimulation<D>::restore(const SavedState& s) {
   first_time_step_ = s.numbers.at("first_time_step");
   summary_.smallest_jacobian = s.numbers.at("smallest_jacobian");
   summary_.largest_rate2 = s.numbers.at("largest_rate2");
-  stored_ = {s.numbers.at("strain_energy"), s.numbers.at("hourglass_energy"), s.numbers.at("plastic_work")};
+  stored_ = {s.numbers.at("strain_energy"), s.numbers.at("hourglass_energy"), s.numbers.at("plastic_work"),
+             s.numbers.at("damage_work")};
   recorded_step_ = totals_step_ = -1;
   stored_step_ = steps_;
 }
