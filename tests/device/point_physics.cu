@@ -51,9 +51,15 @@ __global__ void material_tangent(double* out, Material material, Mat3<double> F)
 
 template <class Stabilization, int D>
 __global__ void hourglass_shares(double* out, Mat<double, D> F, Vec<double, D> X, Vec<double, D> x) {
-  const auto conservative = Stabilization::conservative_share(F, X, x, 1.0);
-  const auto central = Stabilization::central_share(F, X, x, 1.0);
-  keep(out, dot(conservative.force, x), conservative.energy, dot(central.force, x), central.energy);
+  if constexpr (requires { Stabilization::pairwise_linear; }) {
+    const auto conservative = Stabilization::conservative_share(F, X, x, 1.0);
+    const auto central = Stabilization::central_share(F, X, x, 1.0);
+    keep(out, dot(conservative.force, x), conservative.energy, dot(central.force, x), central.energy);
+  } else {
+    const Stabilization s;
+    const double mu = Stabilization::approach(x, X, 1.0);
+    keep(out, mu, s.strength(mu, 1.0), s.step_factor(mu, 1.0, 1.0));
+  }
 }
 
 /// Every function of core/vec.hpp.

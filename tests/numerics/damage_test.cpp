@@ -12,12 +12,14 @@ namespace {
 using namespace sinew::testing;
 
 /// A block all of whose particles move as u = stretch(t) - 1 times X says, E = 1000, c = 36.
-std::string driven(int dimension, const std::string& motion, const std::string& damage = "{ model = \"principal_strain\", threshold = 0.08 }",
+std::string driven(int dimension, const std::string& motion,
+                   const std::string& damage = "{ model = \"principal_strain\", threshold = 0.08 }",
                    const std::string& material = "model = \"st_venant_kirchhoff\"") {
   const bool space = dimension == 3;
-  return "[case]\ndimension = " + std::to_string(dimension) + "\n[[body]]\nname = \"block\"\nmaterial = \"m\"\ngeometry = { shape = \"box\", low = " +
-         (space ? "[0, 0, 0], high = [1, 0.5, 0.5]" : "[0, 0], high = [1, 0.5]") + ", spacing = 0.1 }\n[material.m]\n" + material +
-         "\nyoungs_modulus = 1000.0\npoissons_ratio = 0.0\ndensity = 1.0\ndamage = " + damage +
+  return "[case]\ndimension = " + std::to_string(dimension) +
+         "\n[[body]]\nname = \"block\"\nmaterial = \"m\"\ngeometry = { shape = \"box\", low = " +
+         (space ? "[0, 0, 0], high = [1, 0.5, 0.5]" : "[0, 0], high = [1, 0.5]") + ", spacing = 0.1 }\n[material.m]\n" +
+         material + "\nyoungs_modulus = 1000.0\npoissons_ratio = 0.0\ndensity = 1.0\ndamage = " + damage +
          "\n[[boundary]]\nregion = \"block\"\ndisplacement = [\"" + motion + "\", 0" + (space ? ", 0" : "") +
          "]\n[solver]\nend_time = 10.0\n"
          "[[probe]]\nname = \"stress\"\nquantity = \"first_piola_kirchhoff_stress\"\ncomponent = \"xx\"\n"

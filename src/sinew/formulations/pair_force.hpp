@@ -7,6 +7,7 @@
 /// Each form sums the energy of its hourglass shares on the way.
 
 #include <sinew/formulations/pair_weight.hpp>
+#include <sinew/stabilization/artificial_viscosity.hpp>
 #include <sinew/stabilization/hourglass_stiffness.hpp>
 
 namespace sinew {
@@ -98,6 +99,25 @@ struct SeparateShares {
     return {(*this)(w, u_forward, X), (*this)(w.reversed(), u_backward, -X)};
   }
   SINEW_INLINE Pack hourglass_energy() const { return energy; }
+};
+
+/// Artificial viscosity: t_ij = strength(mu_ij) H_i (w_ij X_ij), H = -1/2 V rho_0 J^2 F^-T L; i's half of the force.
+template <int D>
+struct ViscousShares {
+  Mat<Pack, D> H;
+  Pack h;
+  const ArtificialViscosity& law;
+  double sound_speed;
+  Pack power{0.0}, largest_approach{0.0};
+
+  template <class Weight>
+  SINEW_INLINE Vec<Pack, D> operator()(const Weight& w, const Vec<Pack, D>& u, const Vec<Pack, D>& v, const Vec<Pack, D>& X) {
+    const Pack mu = ArtificialViscosity::approach(X + u, v, h);
+    const Vec<Pack, D> t = law.strength(mu, sound_speed) * (H * w.vector(X));
+    power += dot(t, v);
+    largest_approach = max(largest_approach, select(w.present(), -mu, Pack(0.0)));
+    return t;
+  }
 };
 
 }  // namespace sinew

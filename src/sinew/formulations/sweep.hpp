@@ -13,17 +13,12 @@ namespace sinew {
 
 /// Sums and extremes over the slices of a block, lane by lane.
 struct SweepSums {
-  Pack energy{0.0}, hourglass_energy{0.0}, released{0.0}, plastic_work{0.0}, damage_work{0.0};
+  Pack energy{0.0}, hourglass_energy{0.0}, released{0.0}, plastic_work{0.0}, damage_work{0.0}, viscous_power{0.0};
   Pack jacobian{infinity}, stiffness_rate{0.0};
 
   ForceSummary total(double density) const {
-    return {sum(energy),
-            sum(hourglass_energy),
-            sum(released),
-            sum(plastic_work),
-            sum(damage_work),
-            smallest(jacobian),
-            largest(stiffness_rate) / density};
+    return {sum(energy),      sum(hourglass_energy), sum(released),      sum(plastic_work),
+            sum(damage_work), sum(viscous_power),    smallest(jacobian), largest(stiffness_rate) / density};
   }
 };
 
@@ -74,17 +69,35 @@ SINEW_INLINE void find_deformation(const SliceConstants<D>& constants, Pairs& pa
   slice.F = Mat<Pack, D>::identity() + S * constants.correction_matrix();
 }
 
+/// Viscous forces of eight particles and their pairs. Returns the square of what they make of the time step.
+template <int D, class Pairs>
+SINEW_INLINE Pack give_viscous_forces(const SweepTask<D>& task, const SliceConstants<D>& constants, Pairs& pairs,
+                                      const SliceInWork<D>& slice, int slice_number, SweepSums& sums) {
+  const PointResponse<D>& point = slice.point;
+  const SliceSlots<D> slots(task.source.pairs, task.block, slice_number);
+  const Pack h = 0.5 * slots.load(task.weights.radius.data()), volume = constants.volume * task.thickness;
+  const Pack size = (-0.5 * task.density) * volume * point.jacobian * point.jacobian;
+  ViscousShares<D> shares{size * (transpose(inverse(slice.F)) * constants.correction_matrix()), h, *task.viscosity,
+                          task.sound_speed};
+  pairs.exchange_moving(shares);
+  sums.viscous_power += shares.power;
+  const Pack factor = task.viscosity->step_factor(shares.largest_approach, task.sound_speed, h * sqrt(constants.inverse_length2));
+  return factor * factor;
+}
+
 /// Forces of eight particles and their pairs, once the material has answered.
 template <int D, class Shares, class Pairs>
 SINEW_INLINE void give_forces(const SweepTask<D>& task, const SliceConstants<D>& constants, Pairs& pairs,
-                              const SliceInWork<D>& slice, SweepSums& sums) {
+                              const SliceInWork<D>& slice, int slice_number, SweepSums& sums) {
   const PointResponse<D>& point = slice.point;
   const Pack volume = constants.volume * task.thickness;
   sums.energy += volume * point.energy;
   sums.plastic_work += volume * point.plastic.work;
   sums.damage_work += volume * point.damage.work;
   sums.jacobian = min(sums.jacobian, point.jacobian);
-  sums.stiffness_rate = max(sums.stiffness_rate, point.acoustic_stiffness * constants.inverse_length2);
+  Pack rate = point.acoustic_stiffness * constants.inverse_length2;
+  if (task.viscosity) rate = rate * give_viscous_forces(task, constants, pairs, slice, slice_number, sums);
+  sums.stiffness_rate = max(sums.stiffness_rate, rate);
 
   const Pack modulus = task.fixed_modulus > 0.0 ? Pack(task.fixed_modulus) : point.hourglass_modulus;
   const Pack stiffness = volume * task.hourglass * modulus * point.damage.intact * constants.hourglass_scale;
@@ -122,7 +135,7 @@ void sweep_slices(const SweepTask<D>& task, Pairs pairs, int begin, int end, Swe
     for (int k = 0; k < count; ++k) ask_material(task, first + k, slices[k]);
     for (int k = 0; k < count; ++k) {
       pairs.enter(first + k);
-      give_forces<D, Shares>(task, constants(first + k), pairs, slices[k], sums);
+      give_forces<D, Shares>(task, constants(first + k), pairs, slices[k], first + k, sums);
       if (task.record) keep(task, first + k, slices[k].F, slices[k].point, pairs);
     }
   }
@@ -137,12 +150,14 @@ ForceSummary sweep_runs(const SweepTask<D>& task, const Weights& listed) {
   for (int begin = task.block.first_slice, end; begin < task.block.end_slice; begin = end) {
     for (end = begin + 1; end < task.block.end_slice && pairs.listed(end) == pairs.listed(begin);) ++end;
     if (pairs.listed(begin)) {
-      const ListedPairsData<D> data{pairs, scratch.place_rows(), scratch.force_rows(), scratch.kept()};
+      const ListedPairsData<D> data{pairs, scratch.place_rows(), scratch.velocity_rows(), scratch.force_rows(), scratch.kept()};
       sweep_slices<D, Shares>(task, ListedPairs<D, Weights>(data, listed), begin, end, sums);
     } else if constexpr (Weights::radial) {
       using Bonds = BondWeights<D, Shares::hourglass_weights>;
-      LatticePairsData<D> data{pairs, {}, {}};
-      for (int c = 0; c < D; ++c) data.displacement[c] = scratch.displacement(c), data.forces[c] = scratch.forces(c);
+      LatticePairsData<D> data{pairs, {}, {}, {}};
+      for (int c = 0; c < D; ++c)
+        data.displacement[c] = scratch.displacement(c), data.velocity[c] = scratch.velocity(c),
+        data.forces[c] = scratch.forces(c);
       sweep_slices<D, Shares>(task, LatticePairs<D, Bonds>(data, {task.weights.bonds.data()}), begin, end, sums);
     }
   }

@@ -15,8 +15,10 @@ struct SweepTask {
   const WeightOptions& options;
   MaterialPoint<D> material;
   double thickness, density;
-  double hourglass;      ///< coefficient; 0 without
-  double fixed_modulus;  ///< of the hourglass stiffness; 0: what the material says
+  double hourglass;                      ///< coefficient; 0 without
+  double fixed_modulus;                  ///< of the hourglass stiffness; 0: what the material says
+  const ArtificialViscosity* viscosity;  ///< nullptr: none
+  double sound_speed;                    ///< for it: sqrt(E / rho)
   BlockScratch<D>& scratch;
   HistorySlots history;
   PointStep step;

@@ -98,7 +98,7 @@ WeightOptions TotalLagrangian<D>::weight_options() const {
 /// Room for every thread; only the first call and more threads allocate.
 template <int D>
 void TotalLagrangian<D>::prepare_scratch() {
-  while (scratches_.size() < most_threads()) scratches_.emplace_back(pairs_);
+  while (scratches_.size() < most_threads()) scratches_.emplace_back(pairs_, options_.viscosity.has_value());
 }
 
 template <int D>
@@ -107,6 +107,7 @@ SweepTask<D> TotalLagrangian<D>::task_of(int index, const PairSource<D>& source,
   const Block& block = pairs_.blocks.all[index];
   BlockScratch<D>& scratch = scratches_[this_thread()];
   scratch.bring_in(block, source.particles);
+  if (options_.viscosity) scratch.bring_in_velocities(block, source.particles);
   if (block.has_list && options_.weights == WeightStorage::computed)
     scratch.bring_in_sizes(block, source.particles, weights_.radius.data());
   const AnyMaterial& material = options_.materials[block.body];
@@ -120,6 +121,8 @@ SweepTask<D> TotalLagrangian<D>::task_of(int index, const PairSource<D>& source,
           density_of(material),
           options_.hourglass ? options_.hourglass->coefficient() : 0.0,
           soft ? 0.0 : youngs_modulus_of(material),
+          options_.viscosity ? &*options_.viscosity : nullptr,
+          std::sqrt(youngs_modulus_of(material) / density_of(material)),
           scratch,
           history_.of(index),
           step,
@@ -135,6 +138,7 @@ ForceSummary TotalLagrangian<D>::total(const std::vector<ForceSummary>& of_block
     total.released += part.released;
     total.plastic_work += part.plastic_work;
     total.damage_work += part.damage_work;
+    total.viscous_power += part.viscous_power;
     total.smallest_jacobian = std::min(total.smallest_jacobian, part.smallest_jacobian);
     total.largest_rate2 = std::max(total.largest_rate2, part.largest_rate2);
   }
@@ -151,6 +155,10 @@ void TotalLagrangian<D>::sweep_blocks(Particles<D>& particles, Work&& work, bool
   const std::span<const int> inner(inner_), first = inner.first(half), second = inner.subspan(half);
   const bool many = particles.slots >= fewest_for_threads;
   prepare_scratch();
+  if (options_.viscosity) {
+    halo_.displacements.start(particles.velocity);
+    halo_.displacements.finish();
+  }
   halo_.displacements.start(particles.displacement);
   for_each_block(first, many, work, [&] { halo_.displacements.progress(); });
   halo_.displacements.finish();

@@ -23,9 +23,10 @@ namespace sinew {
 struct ForceSummary {
   double strain_energy = 0.0;     ///< sum V psi [energy]; not finite if any particle is not
   double hourglass_energy = 0.0;  ///< measure of the energy in the hourglass stiffness [energy]
-  double released = 0.0;      ///< what the hourglass stiffness has lost since the last step, since flow has softened it [energy]
-  double plastic_work = 0.0;  ///< dissipated in all of the past [energy]
-  double damage_work = 0.0;   ///< likewise by damage [energy]
+  double released = 0.0;       ///< what the hourglass stiffness has lost since the last step, since flow has softened it [energy]
+  double plastic_work = 0.0;   ///< dissipated in all of the past [energy]
+  double damage_work = 0.0;    ///< likewise by damage [energy]
+  double viscous_power = 0.0;  ///< taken by artificial viscosity [energy/time]
   double smallest_jacobian = 1.0;  ///< min det F
   double largest_rate2 = 0.0;      ///< max of (fastest wave speed / length)^2 [1/time^2]
   bool finite = true;              ///< whether all of it is a number
@@ -50,7 +51,8 @@ struct TotalLagrangianOptions {
   bool plane_stress = false;
   double thickness = 1.0;
   WeightStorage weights = WeightStorage::automatic;
-  bool lattice = true;                              ///< look for regular arrangements
+  bool lattice = true;  ///< look for regular arrangements
+  std::optional<ArtificialViscosity> viscosity{};
   std::vector<std::optional<AnyDamage>> damages{};  ///< one a body, or empty: none
 
   /// nullptr: none.

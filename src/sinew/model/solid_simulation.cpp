@@ -22,7 +22,11 @@ TotalLagrangianOptions options_of(const Case& c) {
   options.plane_stress = c.general.plane == PlaneState::stress;
   options.thickness = c.general.thickness;
   for (const AnyStabilization& s : c.formulation.stabilizations)
-    if (std::get<HourglassStiffness>(s).alpha > 0.0) options.hourglass = std::get<HourglassStiffness>(s);
+    if (const auto* hourglass = std::get_if<HourglassStiffness>(&s)) {
+      if (hourglass->alpha > 0.0) options.hourglass = *hourglass;
+    } else {
+      options.viscosity = std::get<ArtificialViscosity>(s);
+    }
   for (const BodyCase& body : c.bodies) {
     options.materials.push_back(body.material);
     options.damages.push_back(body.damage);
@@ -120,7 +124,8 @@ void SolidSimulation<D>::update_forces(double dt) {
                                     AccelerateAndKick<D>{particles_, forces_, gravity_, dt, case_.solver.damping}, recorded);
   if (recorded) recorded_step_ = steps_;
   timer_.mark("forces and kick");
-  for (std::size_t b = 0; b < dissipated_.size(); ++b) dissipated_[b] += solid_.block_summaries()[b].released;
+  for (std::size_t b = 0; b < dissipated_.size(); ++b)
+    dissipated_[b] += solid_.block_summaries()[b].released + dt * solid_.block_summaries()[b].viscous_power;
   guard([&] { motion_.hold(particles_, time_, dt, case_.solver.damping); });
   if (case_.solver.damping > 0.0) count_dissipation(dt);
   timer_.mark("boundary");

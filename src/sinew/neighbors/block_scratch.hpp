@@ -14,8 +14,12 @@ class BlockScratch {
   static constexpr int numbers_kept = 2 * D + 2;  ///< packs of a listed pair that its first visit may keep
 
   /// Room for every block.
-  explicit BlockScratch(const BlockPairs<D>& pairs) : pairs_(pairs), margin_(whole_slices(pairs.lattice.farthest) + lanes) {
+  explicit BlockScratch(const BlockPairs<D>& pairs, bool velocities = false)
+      : pairs_(pairs),
+        margin_(whole_slices(pairs.lattice.farthest) + lanes) {
     const auto places = static_cast<std::size_t>(pairs.blocks.most_places());
+    if (velocities && pairs.lattice.slices() > 0) velocity_ = VectorField<D>(places + 2 * margin_);
+    if (velocities && pairs.entries() > 0) velocity_rows_ = AlignedArray<double>(places * vector_width<D>);
     if (pairs.lattice.slices() > 0) displacement_ = forces_ = VectorField<D>(places + 2 * margin_);
     if (pairs.entries() == 0) return;
     place_rows_ = AlignedArray<double>(places * place_width<D>);
@@ -27,6 +31,8 @@ class BlockScratch {
   }
 
   const double* displacement(int component) const { return displacement_.component(component) + margin_; }
+  const double* velocity(int component) const { return velocity_.empty() ? nullptr : velocity_.component(component) + margin_; }
+  const double* velocity_rows() const { return velocity_rows_.data(); }
   double* forces(int component) { return forces_.component(component) + margin_; }
   const double* place_rows() const { return place_rows_.data(); }
   double* force_rows() { return force_rows_.data(); }
@@ -41,6 +47,17 @@ class BlockScratch {
           std::copy_n(particles.displacement.component(c) + run.slot, run.length,
                       displacement_.component(c) + margin_ + run.place);
       if (block.has_list) fill_rows(run, particles);
+    });
+  }
+  /// For forces that depend on them.
+  void bring_in_velocities(const Block& block, const Particles<D>& particles) {
+    for_each_run(block.first_own, block.end_runs, [&](const Run& run) {
+      for (int c = 0; c < D; ++c) {
+        const double* from = particles.velocity.component(c) + run.slot;
+        if (block.has_lattice) std::copy_n(from, run.length, velocity_.component(c) + margin_ + run.place);
+        double* row = velocity_rows_.data() + std::size_t(vector_width<D>) * run.place + c;
+        for (int k = 0; block.has_list && k < run.length; ++k) row[vector_width<D> * k] = from[k];
+      }
     });
   }
   /// Volumes and radii, for weights that are computed from them.
@@ -72,8 +89,8 @@ class BlockScratch {
   }
 
   std::size_t bytes() const {
-    return displacement_.bytes() + forces_.bytes() + place_rows_.bytes() + force_rows_.bytes() + volume_.bytes() +
-           radius_.bytes() + kept_.bytes();
+    return displacement_.bytes() + velocity_.bytes() + velocity_rows_.bytes() + forces_.bytes() + place_rows_.bytes() +
+           force_rows_.bytes() + volume_.bytes() + radius_.bytes() + kept_.bytes();
   }
 
  private:
@@ -110,8 +127,8 @@ class BlockScratch {
 
   const BlockPairs<D>& pairs_;
   int margin_;  ///< places that own particles of a lattice do not need, but the lanes beside them read
-  VectorField<D> displacement_, forces_;
-  AlignedArray<double> place_rows_, force_rows_, volume_, radius_, kept_;
+  VectorField<D> displacement_, velocity_, forces_;
+  AlignedArray<double> place_rows_, velocity_rows_, force_rows_, volume_, radius_, kept_;
 };
 
 /// Adds to the forces on the particles of one block what others have spilled into it, in their order.

@@ -11,6 +11,7 @@ template <int D>
 struct LatticePairsData {
   const BlockPairs<D>& pairs;
   const double* displacement[D];  ///< by place
+  const double* velocity[D];      ///< by place; only for exchange_moving
   double* forces[D];              ///< by place
 };
 
@@ -31,6 +32,7 @@ class LatticePairs {
         bonds_(data.pairs.lattice.bonds.data()) {
     for (int c = 0; c < D; ++c) {
       u_[c] = data.displacement[c];
+      v_[c] = data.velocity[c];
       f_[c] = data.forces[c];
     }
   }
@@ -89,11 +91,36 @@ class LatticePairs {
     subtract(0, -total);
   }
 
+  /// The same with t = share(weight, u_ij, v_ij, X_ij), v_ij the difference of the velocities.
+  template <class Share>
+  SINEW_INLINE void exchange_moving(Share& share) const {
+    Vec<Pack, D> total;
+    const Vec<Pack, D> own = velocity_at(0);
+    const auto give = [&](const Weight& weight, int offset, const Vec<Pack, D>& X) {
+      const Vec<Pack, D> t = share(weight, at(offset) - own_, velocity_at(offset) - own, X);
+      subtract(offset, t);
+      total += t;
+    };
+    for (int k = pattern_.first_mirrored; k < pattern_.end_mirrored; ++k) {
+      const MirrorPair& pair = mirrored_[k];
+      give(weights_.of(pair.bond), pair.forward, bond_vector(pair.bond));
+      give(weights_.of(pair.bond).reversed(), pair.backward, -bond_vector(pair.bond));
+    }
+    for (int k = pattern_.first_single; k < pattern_.end_single; ++k)
+      give(masked(single_[k]), single_[k].offset, bond_vector(single_[k].bond));
+    subtract(0, -total);
+  }
+
  private:
   SINEW_INLINE Vec<Pack, D> at(int offset) const {
     Vec<Pack, D> u;
     for (int c = 0; c < D; ++c) u[c] = Pack::load_unaligned(u_[c] + place_ + offset);
     return u;
+  }
+  SINEW_INLINE Vec<Pack, D> velocity_at(int offset) const {
+    Vec<Pack, D> v;
+    for (int c = 0; c < D; ++c) v[c] = Pack::load_unaligned(v_[c] + place_ + offset);
+    return v;
   }
   SINEW_INLINE Vec<Pack, D> bond_vector(int bond) const {
     Vec<Pack, D> X;
@@ -118,6 +145,7 @@ class LatticePairs {
   const SinglePair* single_;
   const Bond<D>* bonds_;
   const double* u_[D];
+  const double* v_[D];
   double* f_[D];
   LatticePattern pattern_;
   std::ptrdiff_t place_ = 0;

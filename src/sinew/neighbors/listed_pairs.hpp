@@ -18,9 +18,10 @@ struct OwnPlaces {
 template <int D>
 struct ListedPairsData {
   const BlockPairs<D>& pairs;
-  const double* place_rows;  ///< {u, X} by place
-  double* force_rows;        ///< by place
-  double* kept;              ///< room for the pairs of a slice, numbers_kept<D> packs each
+  const double* place_rows;     ///< {u, X} by place
+  const double* velocity_rows;  ///< by place; only for exchange_moving
+  double* force_rows;           ///< by place
+  double* kept;                 ///< room for the pairs of a slice, numbers_kept<D> packs each
 };
 
 template <int D>
@@ -81,6 +82,21 @@ class ListedPairs {
     const double* kept = data_.kept;
     for (std::size_t e = begin_; e < end_; ++e, kept += lanes * width) {
       const Vec<Pack, D> t = share(weight(e, kept), pick(kept), pick(kept + lanes * D));
+      total += t;
+      subtract_rows(data_.force_rows, data_.pairs.entry(e), t);
+    }
+    subtract_rows(data_.force_rows, OwnPlaces(place_).place, -total);
+  }
+
+  /// The same with t = share(weight, u_ij, v_ij, X_ij), v_ij the difference of the velocities.
+  template <class Share>
+  SINEW_INLINE void exchange_moving(Share& share) const {
+    Vec<Pack, D> total;
+    const Vec<Pack, D> own = load_vectors<D>(data_.velocity_rows, OwnPlaces(place_).place);
+    const double* kept = data_.kept;
+    for (std::size_t e = begin_; e < end_; ++e, kept += lanes * width) {
+      const Vec<Pack, D> v = load_vectors<D>(data_.velocity_rows, data_.pairs.entry(e)) - own;
+      const Vec<Pack, D> t = share(weight(e, kept), pick(kept), v, pick(kept + lanes * D));
       total += t;
       subtract_rows(data_.force_rows, data_.pairs.entry(e), t);
     }

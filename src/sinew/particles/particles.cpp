@@ -37,7 +37,7 @@ Particles<D>::Particles(Arrangement<D> arrangement, double thickness, int copies
     : Arrangement<D>(std::move(arrangement)),
       copies(copies_),
       displacement(static_cast<std::size_t>(this->slots) + copies_),
-      velocity(this->slots),
+      velocity(static_cast<std::size_t>(this->slots) + copies),
       acceleration(this->slots),
       mass(this->slots) {
   for (const BodyRange& body : this->bodies)

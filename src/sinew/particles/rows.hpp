@@ -32,6 +32,21 @@ SINEW_INLINE PlacePack<D> load_places(const double* rows, const Index* index) {
   return p;
 }
 
+/// Loads eight vector rows.
+template <int D, class Index>
+SINEW_INLINE Vec<Pack, D> load_vectors(const double* rows, const Index* index) {
+  Vec<Pack, D> v;
+  if constexpr (D == 3) {
+    registers::Doubles first[2], second[2];
+    registers::load_columns(rows, index, first, second);
+    v[0] = Pack(first[0]), v[1] = Pack(first[1]), v[2] = Pack(second[0]);
+  } else {
+    for (int k = 0; k < lanes; ++k)
+      for (int c = 0; c < D; ++c) v[c].set(k, rows[static_cast<std::ptrdiff_t>(vector_width<D>) * index[k] + c]);
+  }
+  return v;
+}
+
 /// Subtracts lane k of `t` from vector row index[k], one lane after the other: equal indices are added up correctly.
 template <int D, class Index>
 SINEW_INLINE void subtract_rows(double* rows, const Index* index, const Vec<Pack, D>& t) {

@@ -1,12 +1,13 @@
 #pragma once
-/// The treatments of zero-energy modes, one line each.
+/// The treatments of zero-energy modes and of shocks, one line each.
 
 #include <sinew/core/registry.hpp>
+#include <sinew/stabilization/artificial_viscosity.hpp>
 #include <sinew/stabilization/hourglass_stiffness.hpp>
 
 namespace sinew {
 
-using Stabilizations = TypeList<HourglassStiffness>;
+using Stabilizations = TypeList<HourglassStiffness, ArtificialViscosity>;
 using AnyStabilization = Stabilizations::Variant;
 
 }  // namespace sinew
