@@ -74,6 +74,7 @@ std::vector<Vec<double, D>> slow_viscous_forces(const Particles<D>& p, double R,
       const double mi = rho * p.volume[si];
       const Vec<double, D> g = L[i] * (weight(i, j) * X);  // with V_j, so m_j is rho times it
       const Vec<double, D> half = (-0.5 * mi * rho * pi * J) * (transpose(inverse(F[i])) * g);
+      if (dot(half, v) < 0.0) continue;  // it would give energy
       forces[i] += half;
       forces[j] -= half;
     }

@@ -101,7 +101,8 @@ struct SeparateShares {
   SINEW_INLINE Pack hourglass_energy() const { return energy; }
 };
 
-/// Artificial viscosity: t_ij = strength(mu_ij) H_i (w_ij X_ij), H = -1/2 V rho_0 J^2 F^-T L; i's half of the force.
+/// Artificial viscosity: t_ij = strength(mu_ij) H_i (w_ij X_ij), H = -1/2 V rho_0 J^2 F^-T L; i's half of the force,
+/// left out where it would give energy instead of taking it: where F, far from what the pair does, turns x_ij by more than a right angle.
 template <int D>
 struct ViscousShares {
   Mat<Pack, D> H;
@@ -113,8 +114,10 @@ struct ViscousShares {
   template <class Weight>
   SINEW_INLINE Vec<Pack, D> operator()(const Weight& w, const Vec<Pack, D>& u, const Vec<Pack, D>& v, const Vec<Pack, D>& X) {
     const Pack mu = ArtificialViscosity::approach(X + u, v, h);
-    const Vec<Pack, D> t = law.strength(mu, sound_speed) * (H * w.vector(X));
-    power += dot(t, v);
+    const Vec<Pack, D> whole = law.strength(mu, sound_speed) * (H * w.vector(X));
+    const Pack taken = dot(whole, v);
+    const Vec<Pack, D> t = select(taken > Pack(0.0), Pack(1.0), Pack(0.0)) * whole;
+    power += max(taken, Pack(0.0));
     largest_approach = max(largest_approach, select(w.present(), -mu, Pack(0.0)));
     return t;
   }

@@ -13,8 +13,8 @@ namespace sinew {
 ///     pi_ij = (-alpha c mu + beta mu^2) / rho where mu = h v_ij.x_ij / (|x_ij|^2 + h^2/100) < 0, else 0;   Pi_ij = pi_ij (J_i F_i^-T + J_j F_j^-T) / 2
 ///     f_i = -sum_j m_i m_j Pi_ij g_ij
 ///
-/// c = sqrt(E / rho_0), h half the kernel radius, rho that of each of the two halves. Each half belongs to one particle, so that linear momentum is conserved by construction; it takes
-/// energy wherever F does not turn x_ij by more than a right angle. Off unless asked for: it also damps what should not be damped.
+/// c = sqrt(E / rho_0), h half the kernel radius, rho that of each of the two halves. Each half belongs to one particle, so that linear momentum is conserved by construction; a half
+/// that would give energy (its F turns x_ij by more than a right angle) is left out. Off unless asked for: it also damps what should not be damped.
 /// Monaghan & Gingold (1983); Islam & Peng (2019), eq. 22-23 and 31, with F^-T in the place of the printed F^-1.
 struct ArtificialViscosity {
   static constexpr std::string_view name = "artificial_viscosity";
