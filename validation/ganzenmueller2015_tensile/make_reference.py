@@ -3,9 +3,9 @@
 
     gmsh -3 specimen.geo -format msh22 -o specimen.msh
     ./make_reference.py                                    # specimen.inp, force_displacement.csv
-    ./make_reference.py --element C3D8I --out /tmp/other   # another element
-    gmsh -3 specimen.geo -setnumber n 2 -format msh22 -o /tmp/fine.msh
-    ./make_reference.py --mesh /tmp/fine.msh --out /tmp/fine
+    ./make_reference.py --element C3D8I --out other   # another element
+    gmsh -3 specimen.geo -setnumber n 2 -format msh22 -o fine.msh
+    ./make_reference.py --mesh fine.msh --out fine
 
 Needs ccx (made with 2.20) and nothing else. Units: mm, kg, ms, so GPa and kN. With NLGEOM, *ELASTIC in CalculiX is linear between
 Green-Lagrange strain and second Piola-Kirchhoff stress (St. Venant-Kirchhoff). The strain of an element is the Green-Lagrange

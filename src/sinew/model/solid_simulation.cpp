@@ -117,8 +117,9 @@ void SolidSimulation<D>::step(double most) {
 template <int D>
 void SolidSimulation<D>::update_forces(double dt) {
   guard([&] { loads_.add(particles_, time_, dt, forces_); });
-  guard([&] { contacts_.push(particles_, time_, dt, forces_); });
   timer_.mark("boundary");
+  guard([&] { contacts_.push(particles_, time_, dt, forces_); });
+  timer_.mark("contact");
   RecordedState* const recorded = std::exchange(record_expected_, false) ? &room_for_record() : nullptr;
   summary_ = solid_.internal_forces(particles_, forces_, dt,
                                     AccelerateAndKick<D>{particles_, forces_, gravity_, dt, case_.solver.damping}, recorded);

@@ -85,7 +85,7 @@ class SolidSimulation final : public Simulation {
   Probes<D> probes_;
   StepSize step_size_;
   UserOrder order_;
-  PassTimer timer_{"drift", "boundary", "forces and kick", "time step"};
+  PassTimer timer_{"drift", "boundary", "contact", "forces and kick", "time step"};
 
   double time_ = 0.0;
   long steps_ = 0;
