@@ -58,7 +58,7 @@ __global__ void hourglass_shares(double* out, Mat<double, D> F, Vec<double, D> X
   } else {
     const Stabilization s;
     const double mu = Stabilization::approach(x, X, 1.0);
-    keep(out, mu, s.strength(mu, 1.0), s.step_factor(mu, 1.0, 1.0));
+    keep(out, mu, s.strength(mu, 1.0), s.resistance(x, mu, 1.0, 1.0));
   }
 }
 

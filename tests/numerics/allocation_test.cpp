@@ -39,5 +39,23 @@ TEST(Allocation, AStepAllocatesNothing) {
   EXPECT_EQ(allocations - before, 0);
 }
 
+/// Bodies at rest that touch, on a wall, of metal with damage, with viscosity: no list is made anew, and nothing else allocates.
+TEST(Allocation, NorDoesOneWithContact) {
+  const auto simulation = simulation_of(
+      "[case]\ndimension = 2\n[material.m]\nmodel = \"j2_plastic\"\nyoungs_modulus = 1000.0\npoissons_ratio = 0.3\ndensity = "
+      "1.0\nyield_stress = 5.0\n"
+      "damage = { model = \"plastic_strain\", limit = 0.1 }\n"
+      "[[body]]\nname = \"a\"\nmaterial = \"m\"\ngeometry = { shape = \"box\", low = [0, 0], high = [1, 1], spacing = 0.1 }\n"
+      "[[body]]\nname = \"b\"\nmaterial = \"m\"\ngeometry = { shape = \"box\", low = [0, 0.995], high = [1, 2], spacing = 0.1 }\n"
+      "[[contact]]\nfriction = 0.1\n[[wall]]\nname = \"ground\"\ngeometry = { shape = \"plane\", point = [0, 0], normal = [0, 1] "
+      "}\n"
+      "[formulation]\nstabilization = [{ model = \"hourglass_stiffness\" }, { model = \"artificial_viscosity\" }]\n"
+      "[body_force]\nacceleration = [0, -9.81]\n[solver]\nend_time = 1\n");
+  run_steps(*simulation, 3);
+  const long before = allocations;
+  run_steps(*simulation, 20);
+  EXPECT_EQ(allocations - before, 0);
+}
+
 }  // namespace
 }  // namespace sinew

@@ -74,6 +74,8 @@ TEST(Damage, FollowsPlasticStrain) {
     run_until(*simulation, 0.6);
     EXPECT_EQ(simulation->probe_values()[1], 1.0);
     EXPECT_LT(simulation->probe_values()[0], 1e-9);
+    const Energies e = simulation->energies();
+    EXPECT_LT(std::abs(e.balance_error()), 0.03 * e.external_work) << "flow of what has failed takes no work";
   }
 }
 

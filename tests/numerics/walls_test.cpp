@@ -123,6 +123,19 @@ TEST(Walls, ContactLimitsTheTimeStep) {
   EXPECT_LT(std::abs(simulation->energies().balance_error()), 6e-2 * simulation->energies().initial);
 }
 
+/// In SI units, with lanes of padding beside real particles: no sum becomes infinite.
+TEST(Walls, StiffMetalInTheLastLanes) {
+  const auto simulation = simulation_of(
+      "[case]\ndimension = 2\n[[body]]\nname = \"bar\"\ngeometry = { shape = \"box\", low = [0, 0], high = [0.003, 0.011], "
+      "spacing = 0.001 }\n"
+      "material = { model = \"st_venant_kirchhoff\", youngs_modulus = 2e11, poissons_ratio = 0.3, density = 7800 }\n"
+      "[[initial]]\nregion = \"bar\"\nvelocity = [0, -10]\n[[wall]]\nname = \"anvil\"\ngeometry = { shape = \"plane\", point = "
+      "[0, 0], normal = [0, 1] }\n"
+      "[solver]\nend_time = 1\n");
+  run_steps(*simulation, 60);
+  EXPECT_LT(std::abs(simulation->energies().balance_error()), 1e-3 * simulation->energies().initial);
+}
+
 TEST(Walls, BodiesInsideAreAnError) {
   std::string text = falling_bar("");
   text.replace(text.find("point = [0, 0]"), 14, "point = [0, 0.5]");

@@ -14,19 +14,21 @@ PairContacts<D>::PairContacts(ContactTable table, const Particles<D>& particles,
   radius_ = contact_radii(particles);
   support_ = AlignedArray<double>(support_radius.size());
   std::copy(support_radius.begin(), support_radius.end(), support_.begin());
-  double largest_radius = 0.0;
+  double largest_radius = 0.0, smallest_radius = infinity;
   for (const BlockRange& block : particles.blocks)
-    for (int slot = block.begin; slot < block.end; ++slot) largest_radius = std::max(largest_radius, radius_[slot]);
+    for (int slot = block.begin; slot < block.end && table_.touches(block.body); ++slot) {
+      largest_radius = std::max(largest_radius, radius_[slot]);
+      smallest_radius = std::min(smallest_radius, radius_[slot]);
+    }
   largest_radius = comm_.maximum(largest_radius);
-  skin_ = largest_radius;
+  skin_ = -comm_.maximum(-smallest_radius);
   reach_ = near * 2.0 * largest_radius + skin_;
   listed_at_ = VectorField<D>(particles.slots);
 }
 
 /// Whether two particles may have come to each other unseen: each has moved by half the skin.
 template <int D>
-bool PairContacts<D>::moved_too_far(const Particles<D>& particles) const {
-  std::vector<double> farthest2;
+bool PairContacts<D>::moved_too_far(const Particles<D>& particles) {
   of_each_block<1>(
       particles,
       [&](const BlockRange& block) -> std::array<double, 1> {
@@ -37,9 +39,9 @@ bool PairContacts<D>::moved_too_far(const Particles<D>& particles) const {
         });
         return {largest(most)};
       },
-      farthest2);
+      farthest2_);
   double most = 0.0;
-  for (const double of_block : farthest2) most = std::max(most, of_block);
+  for (const double of_block : farthest2_) most = std::max(most, of_block);
   return comm_.maximum(most) > 0.25 * skin_ * skin_;
 }
 

@@ -19,6 +19,11 @@ struct ContactTable {
   std::vector<char> driven;  ///< of each body: it moves as given, as if its mass were infinite
 
   bool any() const { return !laws.empty(); }
+  bool touches(int body) const {
+    for (int other = 0; other < bodies; ++other)
+      if (law(body, other) >= 0) return true;
+    return false;
+  }
   int law(int body, int other) const { return law_of[static_cast<std::size_t>(body) * bodies + other]; }
 };
 
@@ -60,7 +65,7 @@ class PairContacts {
   /// Pairs closer than that times the sum of their radii are looked at for the time step; beyond, a list need not have them.
   static constexpr double near = 1.25;
 
-  bool moved_too_far(const Particles<D>& particles) const;
+  bool moved_too_far(const Particles<D>& particles);
   void make_list(const Particles<D>& particles);
   void choose_own(const Particles<D>& particles, const Boxes& boxes);
   std::vector<std::vector<int>> points_for_ranks(const Particles<D>& particles, const Boxes& boxes) const;
@@ -84,7 +89,8 @@ class PairContacts {
   Exchange exchange_;          ///< of those of copies
   std::vector<int> first_of_block_;
   std::vector<std::size_t> first_partner_;
-  std::vector<int> partner_;  ///< of each own point: those that it may touch, by their numbers
+  std::vector<int> partner_;       ///< of each own point: those that it may touch, by their numbers
+  std::vector<double> farthest2_;  ///< scratch, one a block
   long lists_made_ = 0;
 };
 

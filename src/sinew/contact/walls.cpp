@@ -34,13 +34,15 @@ void Walls<D>::push_block(Wall& wall, const Shape& shape, const Particles<D>& pa
   for (int c = 0; c < D; ++c) offset[c] = Pack(wall.offset[c]), velocity[c] = Pack(wall.velocity[c]);
   Pack energy, power, rate2, approach, deepest;
   for_each_eight(particles.blocks[block], [&](const EightOfBlock& eight) {
-    const Pack radius = eight(radius_.data()), mass = eight(particles.mass.data());
+    const Pack mass = eight(particles.mass.data());
+    const auto real = mass > Pack(0.0);  // the rest is padding, or beyond the block
+    const Pack radius = select(real, eight(radius_.data()), Pack(1.0));
     const Gap<Pack, D> gap = shape.gap(eight(particles.position) + eight(particles.displacement) - offset);
-    const auto near = (gap.distance < 2.0 * radius) & (mass > Pack(0.0));
+    const auto near = (gap.distance < 2.0 * radius) & real;
     if (!any(near)) return;
     const Vec<Pack, D> v = eight(particles.velocity) - velocity;
-    const Pack depth = select(mass > Pack(0.0), radius - gap.distance, Pack(-1.0));
-    const Pack width = D == 2 ? Pack(thickness_) / (2.0 * radius + 1e-300) : Pack(1.0);
+    const Pack depth = select(real, radius - gap.distance, Pack(-1.0));
+    const Pack width = D == 2 ? Pack(thickness_) / (2.0 * radius) : Pack(1.0);
     const auto contact = law.force(Touch<Pack, D>{depth, gap.normal, v, radius, width, mass}, push.dt);
     eight.add(contact.force, push.forces);
     eight.add(contact.force, push.contact_forces);
@@ -49,8 +51,8 @@ void Walls<D>::push_block(Wall& wall, const Shape& shape, const Particles<D>& pa
     power += contact.dissipated;
     const Pack coming = -dot(v, gap.normal);
     rate2 = max(rate2, select(near, contact_rate2(contact, coming, mass), Pack(0.0)));
-    deepest = max(deepest, depth / (2.0 * radius + 1e-300));
-    approach = max(approach, select(near, coming / (radius + 1e-300), Pack(0.0)));
+    deepest = max(deepest, depth / (2.0 * radius));
+    approach = max(approach, select(near, coming / radius, Pack(0.0)));
   });
   Vec<double, D>& force = wall.force[block];
   for (int c = 0; c < D; ++c) {

@@ -41,7 +41,7 @@ SINEW_INLINE T contact_rate2(const ContactForce<T, D>& contact, const T& approac
 
 /// Repulsion of spheres of influence, with damping and Coulomb's friction:
 ///
-///     F = 16/15 K d sqrt(d r),  energy 2/5 F d;   damping 2 zeta sqrt(k m) v_n, never pulling;   friction up to mu F
+///     F = 16/15 K d sqrt(d r),  energy 2/5 F d;   damping 2 zeta sqrt(k m) v_n, at most m v_n / (4 dt), never pulling;   friction up to mu F
 ///
 /// d: depth, r: radius, k = 3/2 F/d, m: mass, see Touch. In the plane F counts for a thickness of r_i + r_j. Friction stops slip within a few steps where
 /// it can: it is the smaller of mu F and m |v_t| / (4 dt), so that bodies at rest creep by about 4 F_t dt / m instead of sticking.
@@ -57,7 +57,7 @@ struct HertzContact {
     field("stiffness", m.stiffness, "Pa", "K; if not given, the smaller of the Young's moduli of the bodies that touch.",
           positive, optional);
     field("friction", m.friction, "1", "Coefficient of Coulomb's friction.", non_negative, optional);
-    field("damping", m.damping, "1", "Part of the critical damping along the normal.", non_negative, optional);
+    field("damping", m.damping, "1", "Part of the critical damping along the normal.", unit_interval, optional);
   }
 
   /// Zero where the depth is not positive. `dt`: length of the step; 0 at the start, where nothing is rubbed.
@@ -68,11 +68,11 @@ struct HertzContact {
     const T elastic = T(16.0 / 15.0 * stiffness) * touch.width * depth * sqrt(depth * touch.radius);
     const T growth = T(1.6 * stiffness) * touch.width * sqrt(touch.radius), k = growth * sqrt(depth);
     const T approach = -dot(touch.velocity, touch.normal);
-    const T normal = max(elastic + T(2.0 * damping) * sqrt(k * touch.mass) * approach, T(0.0));
+    const T per_step = T(dt > 0.0 ? 0.25 / dt : 0.0) * touch.mass;  // what stops it in four steps
+    const T normal = max(elastic + min(T(2.0 * damping) * sqrt(k * touch.mass), per_step) * approach, T(0.0));
     const Vec<T, D> slip = touch.velocity + approach * touch.normal;
     const T speed = sqrt(dot(slip, slip));
-    const T stick = T(dt > 0.0 ? 0.25 / dt : 0.0) * touch.mass;
-    const T drag = select(depth > T(0.0), min(T(friction) * normal / (speed + T(1e-300)), stick), T(0.0));
+    const T drag = select(depth > T(0.0), min(T(friction) * normal / (speed + T(1e-300)), per_step), T(0.0));
     return {normal * touch.normal - drag * slip, T(0.4) * elastic * depth, (normal - elastic) * approach + drag * speed * speed,
             k, growth};
   }

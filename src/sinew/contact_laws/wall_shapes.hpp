@@ -73,7 +73,8 @@ struct BoxWall {
   }
   std::optional<std::string> complete() const {
     for (int c = 0; c < 3; ++c)
-      if (low[c] > high[c]) return "every coordinate of \"low\" has to be smaller than that of \"high\"";
+      if (low[c] > high[c] || (low[c] == high[c] && c < 2))
+        return "every coordinate of \"low\" has to be smaller than that of \"high\"";
     return std::nullopt;
   }
   template <class T, int D>

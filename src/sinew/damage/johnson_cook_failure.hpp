@@ -36,6 +36,8 @@ struct JohnsonCookFailure {
   std::optional<std::string> complete() const {
     if (d4 != 0.0 && reference_rate == infinity) return "d4 needs \"reference_rate\"";
     if (d5 != 0.0 && melting_temperature == infinity) return "d5 needs \"melting_temperature\"";
+    if (melting_temperature <= reference_temperature) return "melting_temperature has to be above reference_temperature";
+    if (d1 < 0.0) return "d1 must not be negative";
     return std::nullopt;
   }
 

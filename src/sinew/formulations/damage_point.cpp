@@ -28,19 +28,27 @@ class DamageHistory {
   double* values_;
 };
 
+/// What damage has dissipated, and the plastic work that was not done.
+struct DissipatedPart {
+  Pack work, not_flowed;
+};
+
 /// Takes its share of the stress and of the energy away.
 template <int D, class M>
-SINEW_INLINE void weaken(const M& F, const M& P, const Pack& before, const Pack& now, Pack& work, PointResponse<D>& out) {
+SINEW_INLINE void weaken(const M& F, const M& P, const Pack& before, const Pack& now, DissipatedPart& part,
+                         PointResponse<D>& out) {
   out.damage.now = now;
   out.damage.intact = 1.0 - before;
   out.damage.left = select(before < Pack(1.0), (1.0 - now) / max(1.0 - before, Pack(1e-300)), Pack(1.0));
   if (any(now > Pack(0.0))) {
     const DamagedStress<M> stress = damaged(F, P, now);
     put(stress.P, out);
-    work += stress.pulling * out.energy * (now - before);
+    part.work += stress.pulling * out.energy * (now - before);
+    part.not_flowed += stress.pulling * now * out.plastic.work_increment;
     out.energy = out.energy * (1.0 - stress.pulling * now);
   }
-  out.damage.work = work;
+  out.damage.work = part.work;
+  out.plastic.work -= part.not_flowed;
 }
 
 template <int D, class Model>
@@ -51,7 +59,8 @@ void damage_slice(const void* pointer, const Mat<Pack, D>& plane, const SliceHis
   using M = std::remove_cvref_t<decltype(F)>;
   const DamageHistory<D> history(slice, step.first_number);
   const Pack root = history.load(0), before = root * root * root;
-  Pack work = history.load(1), now = before;
+  Pack now = before;
+  DissipatedPart part{history.load(1), history.load(2)};
   if (slice.step.keep) {
     Pack remembered(0.0);
     if constexpr (Model::numbers > 0) remembered = history.load(damage_numbers);
@@ -63,8 +72,8 @@ void damage_slice(const void* pointer, const Mat<Pack, D>& plane, const SliceHis
     history.store(0, grown);
     if constexpr (Model::numbers > 0) history.store(damage_numbers, remembered);
   }
-  weaken(F, P, before, now, work, out);
-  if (slice.step.keep) history.store(1, work);
+  weaken(F, P, before, now, part, out);
+  if (slice.step.keep) history.store(1, part.work), history.store(2, part.not_flowed);
 }
 
 }  // namespace

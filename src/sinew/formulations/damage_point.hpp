@@ -6,8 +6,9 @@
 
 namespace sinew {
 
-/// Numbers that damage keeps of a particle: the cube root of D, the energy that it has dissipated [pressure], then those of the model.
-inline constexpr int damage_numbers = 2;
+/// Numbers that damage keeps of a particle: the cube root of D, the energy that it has dissipated and the plastic work that was not done since D had taken the
+/// stress [pressure], then those of the model.
+inline constexpr int damage_numbers = 3;
 int numbers_of(const AnyDamage& damage);
 
 /// The function that does it.

@@ -55,11 +55,11 @@ void respond_with_history(const void* pointer, const Mat<Pack, D>& plane, const 
   typename Material::template History<M> history;
   for_each_number(history, *slice,
                   [&](Pack& number, const double* values) { number = slice->slots.load(values, slice->block.first); });
-  const Pack modulus = material.hourglass_modulus(history), strain = history.strain;
+  const Pack modulus = material.hourglass_modulus(history), strain = history.strain, work = history.work;
   const Response<M> r = slice->step.keep ? material.respond(F, history, slice->step.dt) : material.recall(F, history);
   put(F, r, material.acoustic_stiffness(F, r.P), modulus, out);
   out.hourglass_left = material.hourglass_modulus(history) / modulus;
-  out.plastic = {history.strain, history.work, material.temperature(history), history.strain - strain};
+  out.plastic = {history.strain, history.work, material.temperature(history), history.strain - strain, history.work - work};
   if (slice->step.keep)
     for_each_number(history, *slice,
                     [&](const Pack& number, double* values) { slice->slots.store(number, values, slice->block.first); });
@@ -81,7 +81,7 @@ MaterialPoint<D> point_of(const Material& material, [[maybe_unused]] bool plane_
     if (plane_stress) throw std::logic_error("a material with history in plane stress");
     return {&material, respond_with_history<D, Material>, count_numbers<D, Material>()};
   } else {
-    if constexpr (D == 2)
+    if constexpr (D == 2 && !std::is_same_v<Material, Rigid>)
       if (plane_stress) return {&material, respond_in_plane_stress<Material>, 0};
     return {&material, respond_elastic<D, Material>, 0};
   }

@@ -10,10 +10,11 @@ namespace sinew {
 
 /// What a particle with history tells about itself besides its stress.
 struct PlasticState {
-  Pack strain{0.0};       ///< equivalent plastic strain
-  Pack work{0.0};         ///< plastic work per reference volume, dissipated [pressure]
-  Pack temperature{0.0};  ///< [K]; 0 where the material knows none
-  Pack increment{0.0};    ///< of the strain in this step
+  Pack strain{0.0};          ///< equivalent plastic strain
+  Pack work{0.0};            ///< plastic work per reference volume, dissipated [pressure]
+  Pack temperature{0.0};     ///< [K]; 0 where the material knows none
+  Pack increment{0.0};       ///< of the strain in this step
+  Pack work_increment{0.0};  ///< of the work [pressure]
 };
 
 /// What damage has done to a particle.

@@ -109,16 +109,17 @@ struct ViscousShares {
   Pack h;
   const ArtificialViscosity& law;
   double sound_speed;
-  Pack power{0.0}, largest_approach{0.0};
+  Pack power{0.0}, resistance{0.0};  ///< resistance: sum over the pairs of force by velocity [mass/time]
 
   template <class Weight>
   SINEW_INLINE Vec<Pack, D> operator()(const Weight& w, const Vec<Pack, D>& u, const Vec<Pack, D>& v, const Vec<Pack, D>& X) {
     const Pack mu = ArtificialViscosity::approach(X + u, v, h);
-    const Vec<Pack, D> whole = law.strength(mu, sound_speed) * (H * w.vector(X));
+    const Vec<Pack, D> pull = H * w.vector(X);
+    const Vec<Pack, D> whole = law.strength(mu, sound_speed) * pull;
     const Pack taken = dot(whole, v);
     const Vec<Pack, D> t = select(taken > Pack(0.0), Pack(1.0), Pack(0.0)) * whole;
     power += max(taken, Pack(0.0));
-    largest_approach = max(largest_approach, select(w.present(), -mu, Pack(0.0)));
+    resistance += select(w.present(), law.resistance(X + u, mu, h, sound_speed) * sqrt(dot(pull, pull)), Pack(0.0));
     return t;
   }
 };

@@ -125,6 +125,25 @@ double initial_value(const InitialCase& initial, const Expression& expression, c
   return value;
 }
 
+/// All components of all particles of rigid bodies have to be prescribed, as {slot, component}.
+template <int D>
+void check_rigid_bodies(const Case& c, const Particles<D>& particles, const std::set<std::pair<int, int>>& prescribed) {
+  for (const BlockRange& block : particles.blocks) {
+    const BodyCase& body = c.bodies[block.body];
+    if (!std::holds_alternative<Rigid>(body.material)) continue;
+    for (int slot = block.begin; slot < block.end; ++slot)
+      for (int component = 0; component < D; ++component)
+        if (!prescribed.contains({slot, component}))
+          throw CaseError(
+              body.place,
+              fmt::format(
+                  "body \"{}\" is rigid, but the motion of its particle at ({:.6g}, {:.6g}, {:.6g}) along {} is not prescribed. "
+                  "Give a [[boundary]] with velocity or displacement of all components for the whole body.",
+                  body.name, particles.reference(slot)[0], particles.reference(slot)[1], particles.reference(slot)[2],
+                  "xyz"[component]));
+  }
+}
+
 }  // namespace
 
 template <int D>
@@ -158,6 +177,7 @@ PrescribedMotion<D> make_prescribed_motion(const Case& c, const Regions& regions
       conditions.push_back(std::move(m));
     }
   }
+  comm.together([&] { check_rigid_bodies(c, particles, taken); });
   shared = comm.sum(shared);
   if (shared > 0)
     warnings.push_back(fmt::format(

@@ -29,6 +29,9 @@ WallCondition wall_condition(const Case& c, const WallCase& wall) {
   for (const BodyCase& body : c.bodies) {
     const bool acts = among(wall.bodies, body.name);
     const double given = wall.law.stiffness;
+    if (acts && std::isnan(given) && youngs_modulus(body.material) == 0.0)
+      throw CaseError(wall.place, "wall \"" + wall.name + "\": give \"stiffness\", since body \"" + body.name +
+                                      "\" is rigid and has none of its own; or name with \"bodies\" those that it acts on");
     condition.stiffness.push_back(!acts ? 0.0 : std::isnan(given) ? youngs_modulus(body.material) : given);
   }
   return condition;
@@ -56,19 +59,24 @@ ContactTable contact_table(const Case& c) {
         table.laws.push_back(contact.law);
         if (std::isnan(contact.law.stiffness)) table.laws.back().stiffness = smaller_modulus(c.bodies[a], c.bodies[b]);
       }
+  if (!c.contacts.empty() && !table.any())
+    throw CaseError(c.contacts[0].place, "no two bodies touch by this contact; rigid ones do not touch each other");
   return table;
 }
 
 template <int D>
-void check_pairs(const Case& c, const Contacts<D>& contacts, double allowed) {
+void check_pairs(const Case& c, const Contacts<D>& contacts, double allowed, const Comm& comm) {
   if (!contacts.pairs().any()) return;
   const auto overlap = contacts.pairs().overlap(allowed);
   if (overlap.most <= allowed) return;
-  throw CaseError(
-      c.contacts[0].place,
-      fmt::format("bodies \"{}\" and \"{}\" overlap at the start: particles of bodies in contact reach into each other by up to "
-                  "{:.3g} of a spacing ({} pairs by more than {}). Move the bodies apart.",
-                  c.bodies[overlap.body].name, c.bodies[overlap.other].name, overlap.most, overlap.pairs / 2, allowed));
+  comm.together([&] {
+    throw CaseError(
+        c.contacts[0].place,
+        fmt::format(
+            "bodies \"{}\" and \"{}\" overlap at the start: particles of bodies in contact reach into each other by up to "
+            "{:.3g} of a spacing ({} pairs by more than {}). Move the bodies apart.",
+            c.bodies[overlap.body].name, c.bodies[overlap.other].name, overlap.most, overlap.pairs / 2, allowed));
+  });
 }
 
 }  // namespace
@@ -86,18 +94,20 @@ Contacts<D> make_contacts(const Case& c, const Particles<D>& particles, const st
 template <int D>
 void check_initial_contacts(const Case& c, const Contacts<D>& contacts, const Particles<D>& particles, const Comm& comm) {
   constexpr double allowed = 0.2;  // of the radius of a particle, or the sum of two
-  check_pairs(c, contacts, allowed);
+  check_pairs(c, contacts, allowed, comm);
   for (int w = 0; w < contacts.walls().count(); ++w) {
     const auto overlap = contacts.walls().overlap(w, particles);
     const double most = comm.maximum(overlap.most);
     const long behind = comm.sum(overlap.behind);
     if (most <= allowed) continue;
-    throw CaseError(
-        c.walls[w].place,
-        fmt::format("wall \"{}\" is inside a body at the start: {} particles have their centers behind its surface, and "
-                    "the deepest reaches in by {:.3g} of its radius (half a spacing). Move the wall away, turn its normal, "
-                    "or name with \"bodies\" those that it acts on.",
-                    c.walls[w].name, behind, most));
+    comm.together([&] {
+      throw CaseError(
+          c.walls[w].place,
+          fmt::format("wall \"{}\" is inside a body at the start: {} particles have their centers behind its surface, and "
+                      "the deepest reaches in by {:.3g} of its radius (half a spacing). Move the wall away, turn its normal, "
+                      "or name with \"bodies\" those that it acts on.",
+                      c.walls[w].name, behind, most));
+    });
   }
 }
 

@@ -25,6 +25,8 @@ Node read_material(CaseReader& reader, MaterialCase& material, const Node& entry
   Node resolved = read_registered(material.material, table, owner, reader.reading);
   if (!damage) return resolved;
   Node filled = read_registered(material.damage.emplace(), *damage, owner + ": damage", reader.reading);
+  if (std::holds_alternative<Rigid>(material.material))
+    throw CaseError(damage->place, owner + ": damage: a rigid material has no stress that damage could take");
   const bool needs_flow = std::visit([](const auto& model) { return model.needs_flow; }, *material.damage);
   if (needs_flow && !has_history(material.material))
     throw CaseError(damage->place, owner + ": damage: this model follows plastic strain, of which \"" +

@@ -1,6 +1,7 @@
 #include <sinew/model/read_case.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace sinew {
 namespace {
@@ -11,6 +12,12 @@ void check_bodies(const CaseReader& reader, const std::vector<std::string>& bodi
   for (const std::string& name : bodies)
     if (std::find(known.begin(), known.end(), name) == known.end())
       throw CaseError(entry.find("bodies")->place, owner + ": bodies: " + unknown_name_message("body", name, known));
+  for (std::size_t k = 0; k < bodies.size(); ++k)
+    if (std::find(bodies.begin(), bodies.begin() + static_cast<std::ptrdiff_t>(k), bodies[k]) !=
+        bodies.begin() + static_cast<std::ptrdiff_t>(k))
+      throw CaseError(entry.find("bodies")->place, owner + ": bodies: \"" + bodies[k] + "\" is named twice");
+  if (entry.find("bodies") && bodies.empty())
+    throw CaseError(entry.find("bodies")->place, owner + ": bodies: name at least one, or leave the key out for all");
 }
 
 void check_motion(const WallCase& wall, const Node& entry, const std::string& owner) {
@@ -22,6 +29,9 @@ void check_motion(const WallCase& wall, const Node& entry, const std::string& ow
       if ((**motion)[i].depends_on_place())
         throw CaseError(entry.find(motion == &wall.velocity ? "velocity" : "displacement")->place,
                         owner + ": \"" + (**motion)[i].text() + "\" may use t only: a wall moves as a whole");
+      else if (!std::isfinite((**motion)[i](0.0)))
+        throw CaseError(entry.find(motion == &wall.velocity ? "velocity" : "displacement")->place,
+                        owner + ": \"" + (**motion)[i].text() + "\" is not a finite number at t = 0");
 }
 
 /// The law is named by "model", "hertz" if it is not.

@@ -89,6 +89,8 @@ void SolidSimulation<D>::start() {
   initial_gravity_work_ = totals().gravity_work;
   first_time_step_ = stable_time_step();
   comm_.together([&] {
+    if (!std::isfinite(first_time_step_))
+      throw CaseError("nothing limits the time step: all bodies are rigid. Give [solver] time_step.");
     if (summary_.smallest_jacobian > 0.0) return;
     throw CaseError(
         fmt::format("the initial state turns particles inside out (smallest det F = {:.3g}). Check [[initial]] displacement and "

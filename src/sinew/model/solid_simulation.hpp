@@ -54,6 +54,7 @@ class SolidSimulation final : public Simulation {
   void start();
   void update_forces(double dt);
   void count_dissipation(double dt);
+  void check_same_parts(const SavedState& state);
   void save_contacts(SavedState& state);
   void restore_contacts(const SavedState& state);
   void check_state();

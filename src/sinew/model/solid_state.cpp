@@ -134,6 +134,7 @@ SavedState SolidSimulation<D>::save() {
   for (std::size_t b = 0; b < particles_.blocks.size(); ++b)
     of_blocks.insert(of_blocks.end(), {motion_.work()[b], loads_.work()[b], dissipated_[b], dissipation_rate_[b]});
   save_contacts(s);
+  if (contacts_.any()) s.fields["contact_force"] = in_users_order(contacts_.forces(), order_);
   s.arrays["blocks"] = gather_over_blocks(comm_, particles_.block_numbers(), of_blocks, 4);
   for (const auto& r : motion_.reactions())
     reactions.insert(reactions.end(), {double(r.condition), double(particles_.user_index[r.slot]), r.value});
@@ -151,46 +152,12 @@ SavedState SolidSimulation<D>::save() {
 }
 
 template <int D>
-void SolidSimulation<D>::save_contacts(SavedState& s) {
-  if (!contacts_.any()) return;
-  std::vector<double> sums, wall_forces;
-  for (int b = 0; b < static_cast<int>(particles_.blocks.size()); ++b) {
-    const ContactSums of_block = contacts_.sums()[b];
-    sums.insert(sums.end(), {of_block.energy, of_block.dissipated, of_block.work, of_block.depth});
-    const std::vector<double> forces = contacts_.walls().block_forces(b);
-    wall_forces.insert(wall_forces.end(), forces.begin(), forces.end());
-  }
-  s.arrays["contact"] = gather_over_blocks(comm_, particles_.block_numbers(), sums, 4);
-  s.arrays["wall_forces"] = gather_over_blocks(comm_, particles_.block_numbers(), wall_forces, D * contacts_.walls().count());
-  s.arrays["wall_offsets"] = contacts_.walls().offsets();
-  s.arrays["contact_limits"] = {contact_.rate2, contact_.approach};
-  s.fields["contact_force"] = in_users_order(contacts_.forces(), order_);
-}
-
-template <int D>
-void SolidSimulation<D>::restore_contacts(const SavedState& s) {
-  const std::vector<double>&sums = s.arrays.at("contact"), &wall_forces = s.arrays.at("wall_forces");
-  const int width = D * contacts_.walls().count();
-  std::vector<std::vector<double>> forces;
-  for (int b = 0; b < static_cast<int>(particles_.blocks.size()); ++b) {
-    const auto number = static_cast<std::size_t>(particles_.blocks[b].number);
-    ContactSums& of_block = contacts_.sums()[b];
-    of_block = {sums[4 * number], sums[4 * number + 1], sums[4 * number + 2]};
-    of_block.depth = sums[4 * number + 3];
-    forces.emplace_back(wall_forces.begin() + number * width, wall_forces.begin() + (number + 1) * width);
-  }
-  contacts_.walls().restore(s.arrays.at("wall_offsets"), forces);
-  contact_.rate2 = s.arrays.at("contact_limits")[0];
-  contact_.approach = s.arrays.at("contact_limits")[1];
-  from_users_order(s.fields.at("contact_force"), order_, contacts_.forces());
-}
-
-template <int D>
 void SolidSimulation<D>::restore(const SavedState& s) {
   const bool same = in_users_order(particles_.position, order_).rows == s.fields.at("reference_position").rows;
   comm_.together([&] {
     if (s.arrays.at("blocks").size() != 4 * static_cast<std::size_t>(facts_.blocks))
       throw CaseError("the checkpoint was written with another [solver] block_size. Resume with the same.");
+    check_same_parts(s);
     if (!same)
       throw CaseError("the checkpoint belongs to other particles than the case makes now. Resume with the case that wrote it.");
   });
@@ -212,7 +179,10 @@ void SolidSimulation<D>::restore(const SavedState& s) {
   motion_.restore([&](int condition, int slot) { return value_of(reactions, condition, particles_.user_index[slot]); },
                   std::move(motion_work));
   loads_.restore(particles_, time_, std::move(load_work));
-  if (contacts_.any()) restore_contacts(s);
+  if (contacts_.any()) {
+    restore_contacts(s);
+    from_users_order(s.fields.at("contact_force"), order_, contacts_.forces());
+  }
   initial_energy_ = s.numbers.at("initial_energy");
   initial_gravity_work_ = s.numbers.at("initial_gravity_work");
   first_time_step_ = s.numbers.at("first_time_step");

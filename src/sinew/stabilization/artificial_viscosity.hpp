@@ -38,12 +38,12 @@ struct ArtificialViscosity {
   SINEW_INLINE T strength(const T& mu, double sound_speed) const {
     return mu * (T(beta) * mu - T(alpha * sound_speed));
   }
-  /// How much shorter than without it a time step has to be: q + sqrt(1 + q^2), q the damping at the grid over its critical value.
-  template <class T>
-  SINEW_INLINE T step_factor(const T& largest_approach, double sound_speed, const T& h_over_length) const {
+  /// How fast the force of a pair takes the motion along it away, over |H w X|: derivative of strength by v.x / |x| [1/time times length].
+  template <class T, int D>
+  SINEW_INLINE T resistance(const Vec<T, D>& x, const T& mu, const T& h, double sound_speed) const {
     using std::sqrt;
-    const T q = T(0.25) * h_over_length * (T(alpha) + T(beta / sound_speed) * largest_approach);
-    return q + sqrt(T(1.0) + q * q);
+    const T square = dot(x, x);
+    return (T(alpha * sound_speed) - T(2.0 * beta) * mu) * h * sqrt(square) / (square + T(0.01) * h * h + T(1e-200));
   }
 };
 

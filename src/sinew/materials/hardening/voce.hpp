@@ -1,6 +1,8 @@
 #pragma once
 
+#include <optional>
 #include <sinew/materials/hardening/hardening.hpp>
+#include <string>
 
 namespace sinew {
 
@@ -21,6 +23,12 @@ struct VoceHardening {
           positive);
     field("hardening_modulus", m.hardening_modulus, "Pa", "Growth of the yield stress per plastic strain, besides.", non_negative,
           optional);
+  }
+
+  /// What does not fit together, or nothing. To be called after reading.
+  std::optional<std::string> complete() const {
+    if (saturation_stress < yield_stress) return "saturation_stress must not be below yield_stress";
+    return std::nullopt;
   }
 
   template <class T>
