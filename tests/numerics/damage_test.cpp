@@ -100,6 +100,33 @@ TEST(Damage, RestartGivesTheSameBits) {
   EXPECT_EQ(second->energies().damage_work, whole->energies().damage_work);
 }
 
+/// A strip pulled apart at both ends: one piece, then two, with debris between them, whose masses add up.
+TEST(Damage, PiecesAreCounted) {
+  const auto simulation = simulation_of(
+      "[case]\ndimension = 2\n[[body]]\nname = \"strip\"\nmaterial = \"m\"\ngeometry = { shape = \"polygon\", points = [0, 0, 4, "
+      "0, 4, 1, 2.3, 1, 2.05, 0.6, 1.95, 0.6, 1.7, 1, 0, 1], "
+      "spacing = 0.1 }\n"
+      "[material.m]\nmodel = \"st_venant_kirchhoff\"\nyoungs_modulus = 1000.0\npoissons_ratio = 0.3\ndensity = 1.0\n"
+      "damage = { model = \"principal_strain\", threshold = 0.05 }\n"
+      "[[boundary]]\nregion = { where = \"X < 0.3\" }\nvelocity = [\"-min(t, 0.1)*10\", 0]\n"
+      "[[boundary]]\nregion = { where = \"X > 3.7\" }\nvelocity = [\"min(t, 0.1)*10\", 0]\n"
+      "[solver]\nend_time = 1.0\nblock_size = 60\n"
+      "[[probe]]\nname = \"pieces\"\nquantity = \"fragments\"\n[[probe]]\nname = \"largest\"\nquantity = \"largest_fragment\"\n"
+      "[[probe]]\nname = \"debris\"\nquantity = \"debris\"\n");
+  std::vector<double> probes = simulation->probe_values();
+  const double mass = probes[1];
+  EXPECT_EQ(probes[0], 1.0);
+  EXPECT_NEAR(mass, simulation->facts().bodies[0].mass, 1e-12);
+  EXPECT_EQ(probes[2], 0.0);
+  run_until(*simulation, 0.4);
+  probes = simulation->probe_values();
+  EXPECT_EQ(probes[0], 2.0);
+  EXPECT_GT(probes[2], 0.0);
+  EXPECT_LT(probes[2], 0.3 * mass);
+  EXPECT_GT(probes[1], 0.35 * mass);
+  EXPECT_LT(probes[1] + probes[2], 0.7 * mass);
+}
+
 /// The free strip tears: momentum stays, and the energy that is gone is that of damage, within what its split of the energy leaves open.
 TEST(Damage, EnergyBalancesWhenItTears) {
   const auto simulation = simulation_of(torn_strip());

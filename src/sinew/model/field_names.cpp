@@ -50,6 +50,10 @@ const std::vector<QuantityInfo>& total_quantities() {
       {"reaction_force", vector, "N", "Force with which the prescribed motions act on a region.", true},
       {"wall_force", vector, "N", "Force with which a wall pushes the particles.", true},
       {"contact_depth", scalar, "1", "Deepest overlap in contact, over the distance of centers at which particles touch.", true},
+      {"fragments", scalar, "1",
+       "Number of pieces: particles that have not failed, linked to their neighbors that have not failed either.", true},
+      {"largest_fragment", scalar, "kg", "Mass of the heaviest of these pieces.", true},
+      {"debris", scalar, "kg", "Mass of the failed particles, which belong to no piece.", true},
       {"time_step", scalar, "s", "Time step.", true},
   };
   return list;

@@ -1,3 +1,4 @@
+#include <sinew/model/fragments.hpp>
 #include <sinew/model/probes.hpp>
 
 #include <algorithm>
@@ -33,6 +34,8 @@ double energy_of(std::string_view name, const Energies& e) {
   return e.total();
 }
 
+bool is_of_fragments(std::string_view name) { return name == "fragments" || name == "largest_fragment" || name == "debris"; }
+
 }  // namespace
 
 template <int D>
@@ -49,7 +52,7 @@ Probes<D>::Probes(const Case& c, const Regions& regions) : units_(c.general.unit
       probe.slots = region.slots;
       probe.particles = region.particles;
       need_hourglass_error_ = need_hourglass_error_ || p.quantity == "hourglass_error";
-      need_record_ = need_record_ || (!probe.quantity->is_total && needs_record(p.quantity));
+      need_record_ = need_record_ || is_of_fragments(p.quantity) || (!probe.quantity->is_total && needs_record(p.quantity));
     } else {
       probe.formula = Expression::over(variables, p.expression, c.parameters, p.place);
     }
@@ -104,6 +107,11 @@ double Probes<D>::total(const Probe& probe, const ProbedState<D>& state) const {
     std::copy(sums.begin(), sums.end(), sum.c);
     return component_of(sum, probe.component);
   };
+  if (is_of_fragments(name)) {
+    const Fragments pieces = find_fragments(state.comm, state.particles, state.solid, *state.record);
+    if (name == "fragments") return static_cast<double>(pieces.count);
+    return name == "debris" ? pieces.debris : pieces.largest;
+  }
   if (name == "reaction_force") return sum_of(state.motion.reactions_on(probe.slots));
   if (name == "wall_force") return sum_of(state.contacts.walls().forces_of(probe.wall));
   return energy_of(name, state.energies);

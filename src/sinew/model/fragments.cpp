@@ -1,0 +1,118 @@
+#include <sinew/model/fragments.hpp>
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+namespace sinew {
+
+namespace {
+
+constexpr double failed = std::numeric_limits<double>::infinity();
+
+/// Each particle is labeled with the smallest number (in the user's order) of its piece; failed ones with `failed`. Labels of copies come from the other ranks.
+template <int D>
+class Labels {
+ public:
+  Labels(const Particles<D>& particles, const TotalLagrangian<D>& solid, const RecordedState& state)
+      : particles_(particles),
+        solid_(solid),
+        copies_(solid.halo().displacements),
+        label_(static_cast<std::size_t>(particles.slots) + particles.copies) {
+    for (const BlockRange& block : particles.blocks)
+      for (int slot = block.begin; slot < block.end; ++slot) {
+        const bool gone = !state.inelastic.empty() && state.inelastic.at(3, slot) >= 1.0;
+        label_.at(0, slot) = gone ? failed : particles.user_index[slot];
+      }
+  }
+
+  /// Until nothing changes on any rank. Sweeps go forth and back, so that labels run through a whole rank at once.
+  void spread(const Comm& comm) {
+    bool changed = true;
+    while (comm.any(changed)) {
+      copies_.start(label_);
+      copies_.finish();
+      changed = false;
+      while (sweep()) changed = true;
+    }
+  }
+
+  double of(int slot) const { return label_.at(0, slot); }
+
+ private:
+  bool sweep() {
+    bool changed = false;
+    for (const BlockRange& block : particles_.blocks)
+      for (int slot = block.begin; slot < block.end; ++slot) changed = take_smallest(slot) || changed;
+    for (auto block = particles_.blocks.rbegin(); block != particles_.blocks.rend(); ++block)
+      for (int slot = block->end - 1; slot >= block->begin; --slot) changed = take_smallest(slot) || changed;
+    return changed;
+  }
+
+  /// The smallest label of a particle and its neighbors, to all of them that are here.
+  bool take_smallest(int slot) {
+    if (of(slot) == failed) return false;
+    const std::vector<int> neighbors = solid_.pairs().neighbors(slot, particles_);
+    double least = of(slot);
+    for (int j : neighbors) least = std::min(least, of(j));
+    bool changed = least < of(slot);
+    label_.at(0, slot) = least;
+    for (int j : neighbors)
+      if (j < particles_.slots && of(j) != failed && of(j) > least) label_.at(0, j) = least, changed = true;
+    return changed;
+  }
+
+  const Particles<D>& particles_;
+  const TotalLagrangian<D>& solid_;
+  Exchange copies_;
+  VectorField<D> label_;  ///< component 0
+};
+
+/// {label, number of the block, mass} of what each piece has in each block.
+template <int D>
+std::vector<double> masses_by_block(const Particles<D>& particles, const Labels<D>& labels) {
+  std::vector<double> rows;
+  for (const BlockRange& block : particles.blocks) {
+    std::vector<int> slots(block.end - block.begin);
+    std::iota(slots.begin(), slots.end(), block.begin);
+    std::sort(slots.begin(), slots.end(),
+              [&](int a, int b) { return labels.of(a) != labels.of(b) ? labels.of(a) < labels.of(b) : a < b; });
+    for (std::size_t k = 0; k < slots.size(); ++k) {
+      if (k == 0 || labels.of(slots[k]) != labels.of(slots[k - 1]))
+        rows.insert(rows.end(), {labels.of(slots[k]), static_cast<double>(block.number), 0.0});
+      rows.back() += particles.mass[slots[k]];
+    }
+  }
+  return rows;
+}
+
+}  // namespace
+
+template <int D>
+Fragments find_fragments(const Comm& comm, const Particles<D>& particles, const TotalLagrangian<D>& solid,
+                         const RecordedState& state) {
+  Labels<D> labels(particles, solid, state);
+  labels.spread(comm);
+  const std::vector<double> rows = comm.gather_all(masses_by_block(particles, labels));
+  std::vector<std::array<double, 3>> parts;
+  for (std::size_t k = 0; k < rows.size(); k += 3) parts.push_back({rows[k], rows[k + 1], rows[k + 2]});
+  std::sort(parts.begin(), parts.end());  // by piece, then by block: sums have one order
+  Fragments fragments;
+  for (std::size_t k = 0; k < parts.size();) {
+    double mass = 0.0;
+    const double label = parts[k][0];
+    for (; k < parts.size() && parts[k][0] == label; ++k) mass += parts[k][2];
+    if (label == failed) {
+      fragments.debris = mass;
+    } else {
+      ++fragments.count;
+      fragments.largest = std::max(fragments.largest, mass);
+    }
+  }
+  return fragments;
+}
+
+template Fragments find_fragments<2>(const Comm&, const Particles<2>&, const TotalLagrangian<2>&, const RecordedState&);
+template Fragments find_fragments<3>(const Comm&, const Particles<3>&, const TotalLagrangian<3>&, const RecordedState&);
+
+}  // namespace sinew
