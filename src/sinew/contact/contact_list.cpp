@@ -15,12 +15,12 @@ struct PairContacts<D>::Boxes {
     Vec<double, D> low, high;
     int body = 0, rank = 0;
 
-    bool near(const Vec<double, D>& x, double reach) const {
+    bool reaches(const Vec<double, D>& x, double reach) const {
       for (int c = 0; c < D; ++c)
         if (x[c] < low[c] - reach || x[c] > high[c] + reach) return false;
       return true;
     }
-    bool near(const Box& other, double reach) const {
+    bool reaches(const Box& other, double reach) const {
       for (int c = 0; c < D; ++c)
         if (other.high[c] < low[c] - reach || other.low[c] > high[c] + reach) return false;
       return true;
@@ -58,10 +58,10 @@ struct PairContacts<D>::Boxes {
 
   /// Boxes of others that particles of block `number` may touch.
   std::vector<Box> partners_of(int number, const ContactTable& table, double reach) const {
-    std::vector<Box> near;
+    std::vector<Box> partners;
     for (const Box& box : all)
-      if (table.law(all[number].body, box.body) >= 0 && all[number].near(box, reach)) near.push_back(box);
-    return near;
+      if (table.law(all[number].body, box.body) >= 0 && all[number].reaches(box, reach)) partners.push_back(box);
+    return partners;
   }
 };
 
@@ -106,7 +106,7 @@ void PairContacts<D>::choose_own(const Particles<D>& particles, const Boxes& box
     const auto partners = boxes.partners_of(block.number, table_, reach_);
     for (int slot = block.begin; slot < block.end && !partners.empty(); ++slot) {
       const Vec<double, D> x = particles.position[slot] + particles.displacement[slot];
-      if (std::none_of(partners.begin(), partners.end(), [&](const auto& box) { return box.near(x, reach_); })) continue;
+      if (std::none_of(partners.begin(), partners.end(), [&](const auto& box) { return box.reaches(x, reach_); })) continue;
       slots_.push_back(slot);
       points_.push_back(point_of(particles, slot));
     }
@@ -121,7 +121,7 @@ std::vector<std::vector<int>> PairContacts<D>::points_for_ranks(const Particles<
   for (std::size_t b = 0; b < particles.blocks.size(); ++b)
     for (const auto& box : boxes.partners_of(particles.blocks[b].number, table_, reach_))
       for (int k = first_of_block_[b]; k < first_of_block_[b + 1] && box.rank != comm_.rank(); ++k)
-        if (box.near(particles.position[slots_[k]] + particles.displacement[slots_[k]], reach_)) to[box.rank].push_back(k);
+        if (box.reaches(particles.position[slots_[k]] + particles.displacement[slots_[k]], reach_)) to[box.rank].push_back(k);
   for (std::vector<int>& points : to) {
     std::sort(points.begin(), points.end());
     points.erase(std::unique(points.begin(), points.end()), points.end());

@@ -78,7 +78,7 @@ void Walls<D>::push(const Particles<D>& particles, double t, double dt, VectorFi
 #pragma omp parallel for schedule(dynamic, 1) if (particles.slots >= fewest_for_threads)
           for (int b = 0; b < blocks; ++b)
             if (wall.condition.stiffness[particles.blocks[b].body] > 0.0)
-              push_block(wall, shape, particles, b, {forces, contact_forces, dt}, sums[b]);
+              this->push_block(wall, shape, particles, b, {forces, contact_forces, dt}, sums[b]);
         },
         wall.condition.shape);
   }
