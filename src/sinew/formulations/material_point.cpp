@@ -9,13 +9,29 @@ namespace {
 
 // All is known before anything is stored, since to the compiler `out` might be where F and the constants of the material are.
 
+// What a response does not change stays as it is: plastic state and damage of materials that have none.
+
+template <int D>
+SINEW_INLINE void put_scalars(const Pack& energy, const Pack& jacobian, const Pack& stiffness, const Pack& modulus,
+                              PointResponse<D>& out) {
+  out.energy = energy;
+  out.jacobian = jacobian;
+  out.acoustic_stiffness = stiffness;
+  out.hourglass_modulus = modulus;
+}
 SINEW_INLINE void put(const Mat3<Pack>& F, const Response<Mat3<Pack>>& r, const Pack& stiffness, const Pack& modulus,
                       PointResponse<3>& out) {
-  out = {r.P, r.energy, determinant(F), stiffness, modulus};
+  const Pack jacobian = determinant(F);
+  out.P = r.P;
+  put_scalars(r.energy, jacobian, stiffness, modulus, out);
 }
 SINEW_INLINE void put(const PlaneMatrix<Pack>& F, const Response<PlaneMatrix<Pack>>& r, const Pack& stiffness,
                       const Pack& modulus, PointResponse<2>& out) {
-  out = {r.P.in_plane, r.energy, determinant(F), stiffness, modulus, Pack(1.0), F.out_of_plane, r.P.out_of_plane};
+  const Pack jacobian = determinant(F), stretch = F.out_of_plane;
+  out.P = r.P.in_plane;
+  out.thickness_stretch = stretch;
+  out.thickness_stress = r.P.out_of_plane;
+  put_scalars(r.energy, jacobian, stiffness, modulus, out);
 }
 
 /// The matrix with which materials of D dimensions work, with F33 = 1 in the plane.
@@ -26,7 +42,8 @@ template <int D, class Material>
 void respond_elastic(const void* pointer, const Mat<Pack, D>& plane, const SliceHistory<D>*, PointResponse<D>& out) {
   const Material& material = *static_cast<const Material*>(pointer);
   const auto& F = strained(plane);
-  put(F, material.respond(F), material.acoustic_stiffness(F), Pack(material.elastic.youngs_modulus), out);
+  const auto r = material.respond(F);
+  put(F, r, material.acoustic_stiffness(F), Pack(material.elastic.youngs_modulus), out);
 }
 
 template <class Material>
@@ -34,7 +51,8 @@ void respond_in_plane_stress(const void* pointer, const Mat<Pack, 2>& plane, con
   const Material& material = *static_cast<const Material*>(pointer);
   const Pack stretch = PlaneStress<Material>{material}.thickness_stretch(PlaneMatrix<Pack>{plane, Pack(1.0)});
   const PlaneMatrix<Pack> F{plane, stretch};
-  put(F, material.respond(F), material.acoustic_stiffness(F), Pack(material.elastic.youngs_modulus), out);
+  const auto r = material.respond(F);
+  put(F, r, material.acoustic_stiffness(F), Pack(material.elastic.youngs_modulus), out);
 }
 
 /// Calls use(history number, its values in the block) for all numbers of a slice.

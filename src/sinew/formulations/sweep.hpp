@@ -86,6 +86,17 @@ SINEW_INLINE Pack give_viscous_forces(const SweepTask<D>& task, const SliceConst
   return select(volume > Pack(0.0), rate * rate, Pack(0.0));
 }
 
+/// Of eight particles with history: what flow and damage have taken, also of the energy of the hourglass stiffness.
+template <int D>
+SINEW_INLINE void count_dissipation(const SweepTask<D>& task, const PointResponse<D>& point, const Pack& volume,
+                                    const Pack& hourglass_energy, SweepSums& sums) {
+  const Pack left = point.damage.left * (task.fixed_modulus > 0.0 ? Pack(1.0) : point.hourglass_left);
+  sums.plastic_work += volume * point.plastic.work;
+  sums.damage_work += volume * point.damage.work;
+  sums.hourglass_energy += left * hourglass_energy;
+  sums.released += hourglass_energy - left * hourglass_energy;
+}
+
 /// Forces of eight particles and their pairs, once the material has answered.
 template <int D, class Shares, class Pairs>
 SINEW_INLINE void give_forces(const SweepTask<D>& task, const SliceConstants<D>& constants, Pairs& pairs,
@@ -93,21 +104,21 @@ SINEW_INLINE void give_forces(const SweepTask<D>& task, const SliceConstants<D>&
   const PointResponse<D>& point = slice.point;
   const Pack volume = constants.volume * task.thickness;
   sums.energy += volume * point.energy;
-  sums.plastic_work += volume * point.plastic.work;
-  sums.damage_work += volume * point.damage.work;
   sums.jacobian = min(sums.jacobian, point.jacobian);
   Pack rate = point.acoustic_stiffness * constants.inverse_length2;
   if (task.viscosity) rate += task.density * give_viscous_forces(task, constants, pairs, slice, slice_number, sums);
   sums.stiffness_rate = max(sums.stiffness_rate, rate);
 
   const Pack modulus = task.fixed_modulus > 0.0 ? Pack(task.fixed_modulus) : point.hourglass_modulus;
-  const Pack stiffness = volume * task.hourglass * modulus * point.damage.intact * constants.hourglass_scale;
-  Shares shares(PointState<D>{(volume * point.P) * constants.correction_matrix(), slice.F, slice.S, stiffness});
+  const Pack stiffness = volume * task.hourglass * modulus * constants.hourglass_scale;
+  const bool history = task.material.numbers > 0;
+  Shares shares(PointState<D>{(volume * point.P) * constants.correction_matrix(), slice.F, slice.S,
+                              history ? stiffness * point.damage.intact : stiffness});
   pairs.exchange(shares);
-  const Pack energy = shares.hourglass_energy(),
-             left = point.damage.left * (task.fixed_modulus > 0.0 ? Pack(1.0) : point.hourglass_left);
-  sums.hourglass_energy += left * energy;
-  sums.released += energy - left * energy;
+  if (history)
+    count_dissipation(task, point, volume, shares.hourglass_energy(), sums);
+  else
+    sums.hourglass_energy += shares.hourglass_energy();
 }
 
 template <int D>
