@@ -275,6 +275,16 @@ TEST(Contact, OtherPartsThanInTheCheckpointAreAnError) {
   refuses(damaged);
 }
 
+/// A tool faster than sound is probably a wrong unit; a slow one gives no warning.
+TEST(Contact, SupersonicMotionIsWarnedOf) {
+  std::string text = two_balls(2);
+  EXPECT_TRUE(simulation_of(text)->facts().warnings.empty());
+  text.replace(text.find("velocity = [1, 0"), 16, "velocity = [99, 0");
+  const auto simulation = simulation_of(text);
+  ASSERT_EQ(simulation->facts().warnings.size(), 1U);
+  EXPECT_NE(simulation->facts().warnings[0].find("faster than the waves"), std::string::npos);
+}
+
 TEST(Contact, OverlappingBodiesAreAnError) {
   std::string text = two_balls(2);
   text.replace(text.find("center = [0.56"), 14, "center = [0.40");

@@ -70,6 +70,22 @@ void SolidSimulation<D>::collect_ranks() {
         idle, comm_.size(), facts_.blocks, facts_.blocks == 1 ? "" : "s"));
 }
 
+/// What moves faster than waves in the softest body makes shocks, which need viscosity, if anything resolves them.
+template <int D>
+void SolidSimulation<D>::warn_of_supersonic_motion() {
+  double fastest2 = 0.0, slowest_wave = infinity;
+  for (int slot : order_.slots()) fastest2 = std::max(fastest2, dot(particles_.velocity[slot], particles_.velocity[slot]));
+  const double fastest = std::sqrt(comm_.maximum(fastest2));
+  for (const ModelFacts::Body& body : facts_.bodies)
+    if (body.longitudinal_wave_speed > 0.0) slowest_wave = std::min(slowest_wave, body.longitudinal_wave_speed);
+  if (fastest > slowest_wave)
+    facts_.warnings.push_back(
+        fmt::format("something moves at {:.4g} at the start, faster than the waves of the slowest body ({:.4g}): shocks that "
+                    "particles cannot resolve. "
+                    "Is a unit wrong? Otherwise try artificial_viscosity.",
+                    fastest, slowest_wave));
+}
+
 template <int D>
 void SolidSimulation<D>::collect_facts(const std::vector<GeneratedBody>& bodies, double setup_seconds) {
   const BlockPairs<D>& list = solid_.pairs();
@@ -104,6 +120,7 @@ void SolidSimulation<D>::collect_facts(const std::vector<GeneratedBody>& bodies,
   collect_bodies(bodies);
   collect_ranks();
   for (const auto& [name, region] : regions_) facts_.regions[name] = region.particles;
+  warn_of_supersonic_motion();
   if (bodies.size() > 1 && !contacts_.pairs().any())
     facts_.warnings.push_back("the bodies do not act on each other: there is no [[contact]] between them.");
   if (!solid_.options().hourglass) facts_.warnings.push_back("zero-energy modes are not controlled: stabilization is off.");

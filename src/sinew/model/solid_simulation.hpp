@@ -70,6 +70,7 @@ class SolidSimulation final : public Simulation {
   void guard(Action&& action);
   void collect_bodies(const std::vector<GeneratedBody>& bodies);
   void collect_ranks();
+  void warn_of_supersonic_motion();
   void collect_facts(const std::vector<GeneratedBody>& bodies, double setup_seconds);
 
   Case case_;
