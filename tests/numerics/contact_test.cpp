@@ -275,6 +275,21 @@ TEST(Contact, OtherPartsThanInTheCheckpointAreAnError) {
   refuses(damaged);
 }
 
+/// case.resolved.toml, from which a run goes on, is a case again and means the same.
+TEST(Contact, ResolvedCaseIsACase) {
+  const std::string walls =
+      "[[wall]]\nname = \"w\"\ngeometry = { shape = \"box\", low = [-9, -9], high = [9, 9], inside = true }\nvelocity = [0, "
+      "\"0.1*t\"]\n";
+  for (const std::string contact : {"", "bodies = [\"a\", \"b\"]\nself = true\nstiffness = 300\n"}) {
+    const Case first = make_case(read_toml_text(two_balls(2, contact, walls), "case.toml"), ".");
+    const Case again = make_case(first.resolved, ".");
+    const auto one = Simulation::build(first), other = Simulation::build(again);
+    run_steps(*one, 100);
+    run_steps(*other, 100);
+    EXPECT_EQ(one->state_hash(), other->state_hash());
+  }
+}
+
 /// A tool faster than sound is probably a wrong unit; a slow one gives no warning.
 TEST(Contact, SupersonicMotionIsWarnedOf) {
   std::string text = two_balls(2);

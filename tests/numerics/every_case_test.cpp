@@ -50,6 +50,13 @@ TEST_P(EveryCase, SameBitsOnAnyNumberOfThreads) {
   fewest_for_threads = usual;
 }
 
+/// What a run writes to case.resolved.toml, and goes on from, is a case again.
+TEST_P(EveryCase, ResolvesToACase) {
+  const std::string folder = std::filesystem::path(GetParam()).parent_path().string();
+  const Case c = make_case(read_toml_file(GetParam()), folder);
+  EXPECT_NO_THROW(make_case(c.resolved, folder));
+}
+
 INSTANTIATE_TEST_SUITE_P(Repository, EveryCase, ::testing::ValuesIn(case_files()), [](const auto& file) {
   std::string name = std::filesystem::relative(file.param, SINEW_SOURCE_FOLDER).replace_extension().string();
   std::replace_if(

@@ -70,6 +70,7 @@ void read_pairs(CaseReader& reader) {
     if (!contact.self && (contact.bodies.size() == 1 || reader.result.bodies.size() == 1))
       throw CaseError(entry.place, owner + ": one body touches nobody; name more, or let it touch itself with self = true");
     check_no_pair_twice(reader, contact, owner);
+    if (contact.bodies.empty()) erase_member(filled, "bodies");  // not given: all
     resolved.items.push_back(std::move(filled));
     reader.result.contacts.push_back(std::move(contact));
   }
@@ -92,6 +93,7 @@ void read_contacts(CaseReader& reader) {
     check_new_name(wall.name, name->place, "wall", names);
     check_bodies(reader, wall.bodies, entry, owner);
     check_motion(wall, entry, owner);
+    if (wall.bodies.empty()) erase_member(resolved.items.back(), "bodies");  // not given: all
     names.push_back(wall.name);
     reader.result.walls.push_back(std::move(wall));
   }

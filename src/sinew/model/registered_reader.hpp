@@ -39,7 +39,7 @@ struct RegistryOf<AnyStabilization> : Stabilizations {
 };
 template <>
 struct RegistryOf<AnyWallShape> : WallShapes {
-  static constexpr const char *what = "shape of a wall", *selector = "shape";
+  static constexpr const char *what = "wall shape", *selector = "shape";
 };
 template <>
 struct RegistryOf<AnyGeometry> : Geometries {
