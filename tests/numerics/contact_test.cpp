@@ -7,30 +7,12 @@
 #include <sinew/contact/pair_contacts.hpp>
 
 #include "clouds.hpp"
-#include "run_case.hpp"
+#include "two_balls.hpp"
 
 namespace sinew {
 namespace {
 
 using namespace sinew::testing;
-
-/// Two disks (balls) of rubber that meet off center; `contact`: keys of [[contact]].
-std::string two_balls(int dimension, const std::string& contact = "", const std::string& more = "") {
-  const std::string z = dimension == 3 ? ", 0" : "", shape = "shape = \"sphere\", radius = 0.5, spacing = 0.1, ";
-  return "[case]\ndimension = " + std::to_string(dimension) +
-         "\n[material.rubber]\nmodel = \"neo_hookean\"\nyoungs_modulus = 1000.0\npoissons_ratio = 0.4\ndensity = 1.0\n"
-         "[[body]]\nname = \"a\"\nmaterial = \"rubber\"\ngeometry = { " +
-         shape + "center = [-0.56, 0.1" + z +
-         "] }\n"
-         "[[body]]\nname = \"b\"\nmaterial = \"rubber\"\ngeometry = { " +
-         shape + "center = [0.56, 0" + z +
-         "] }\n"
-         "[[initial]]\nregion = \"a\"\nvelocity = [1, 0" +
-         z + "]\n[[initial]]\nregion = \"b\"\nvelocity = [-0.75, 0" + z +
-         "]\n"
-         "[[contact]]\n" +
-         contact + "[solver]\nend_time = 1.0\n" + more;
-}
 
 double overlap_of(Simulation& simulation) {
   const Snapshot s = simulation.snapshot({"displacement"});
@@ -220,61 +202,6 @@ TEST(Contact, RigidToolPushes) {
   EXPECT_NEAR(probes[2], overlap_of(*simulation), 1e-12);
 }
 
-std::string error_of(const std::string& text) {
-  try {
-    simulation_of(text);
-  } catch (const CaseError& error) {
-    return error.what();
-  }
-  return "none";
-}
-
-TEST(Contact, WhatCannotBeMeantIsAnError) {
-  const auto has = [](const std::string& message, const std::string& part) {
-    EXPECT_NE(message.find(part), std::string::npos) << message;
-  };
-  has(error_of(two_balls(2, "bodies = [\"a\", \"a\"]\n")), "named twice");
-  has(error_of(two_balls(2, "bodies = [\"a\"]\n")), "one body touches nobody");
-  has(error_of(two_balls(2, "bodies = []\n")), "name at least one");
-  has(error_of(two_balls(2, "bodies = [\"a\", \"c\"]\n")), "unknown body \"c\"");
-  has(error_of(two_balls(2, "friction = -0.1\n")), "0 or greater");
-  has(error_of(two_balls(2, "damping = 2\n")), "from 0 to 1");
-  has(error_of(two_balls(2, "\n[[contact]]\n")), "already described above");
-  const std::string tool =
-      "[material.steel]\nmodel = \"rigid\"\ndensity = 1\n[[body]]\nname = \"tool\"\nmaterial = \"steel\"\ngeometry = { shape = "
-      "\"box\", low "
-      "= [3, 0], high = [4, 1], spacing = 0.1 }\n";
-  has(error_of(two_balls(2, "", tool)), "is rigid, but the motion of its particle");
-  has(error_of(two_balls(2, "", tool + "[[boundary]]\nregion = \"tool\"\nvelocity = [0, \"free\"]\n")),
-      "along y is not prescribed");
-  const std::string held = tool + "[[boundary]]\nregion = \"tool\"\nvelocity = [0, 0]\n";
-  EXPECT_EQ(error_of(two_balls(2, "", held)), "none");
-  has(error_of(two_balls(2, "",
-                         held + "[[wall]]\nname = \"w\"\ngeometry = { shape = \"plane\", point = [0, -9], normal = [0, 1] }\n")),
-      "give \"stiffness\"");
-  has(error_of(two_balls(2, "",
-                         "[[wall]]\nname = \"w\"\ngeometry = { shape = \"plane\", point = [0, -9], normal = [0, 1] }\nvelocity = "
-                         "[0, \"1/t\"]\n")),
-      "not a finite number at t = 0");
-}
-
-/// A checkpoint of a case with other contacts, walls or materials is refused, not misread.
-TEST(Contact, OtherPartsThanInTheCheckpointAreAnError) {
-  const auto plain = simulation_of(two_balls(2));
-  const SavedState saved = plain->save();
-  const auto refuses = [&](const std::string& text) {
-    const auto other = simulation_of(text);
-    EXPECT_THROW(other->restore(saved), CaseError);
-  };
-  std::string without = two_balls(2);
-  without.erase(without.find("[[contact]]\n"), 12);
-  refuses(without);
-  refuses(two_balls(2, "", "[[wall]]\nname = \"w\"\ngeometry = { shape = \"plane\", point = [0, -9], normal = [0, 1] }\n"));
-  std::string damaged = two_balls(2);
-  damaged.replace(damaged.find("density = 1.0"), 13, "density = 1.0\ndamage = { model = \"principal_strain\", threshold = 9 }");
-  refuses(damaged);
-}
-
 /// case.resolved.toml, from which a run goes on, is a case again and means the same.
 TEST(Contact, ResolvedCaseIsACase) {
   const std::string walls =
@@ -298,17 +225,6 @@ TEST(Contact, SupersonicMotionIsWarnedOf) {
   const auto simulation = simulation_of(text);
   ASSERT_EQ(simulation->facts().warnings.size(), 1U);
   EXPECT_NE(simulation->facts().warnings[0].find("faster than the waves"), std::string::npos);
-}
-
-TEST(Contact, OverlappingBodiesAreAnError) {
-  std::string text = two_balls(2);
-  text.replace(text.find("center = [0.56"), 14, "center = [0.40");
-  try {
-    simulation_of(text);
-    FAIL();
-  } catch (const CaseError& error) {
-    EXPECT_NE(std::string(error.what()).find("bodies \"a\" and \"b\" overlap at the start"), std::string::npos) << error.what();
-  }
 }
 
 }  // namespace
