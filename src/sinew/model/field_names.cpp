@@ -41,7 +41,7 @@ const std::vector<QuantityInfo>& total_quantities() {
       {"energy.contact", scalar, "J", "Elastic energy of contact.", true},
       {"energy.external_work", scalar, "J", "Work done by loads, body forces, prescribed motions and moving walls.", true},
       {"energy.total", scalar, "J", "Kinetic, strain, hourglass and contact energy.", true},
-      {"energy.dissipated", scalar, "J", "Energy taken out by damping, contact, plastic flow and damage.", true},
+      {"energy.dissipated", scalar, "J", "Energy taken out by damping, viscosity, contact, plastic flow and damage.", true},
       {"energy.plastic_work", scalar, "J", "Plastic work, part of the dissipated energy.", true},
       {"energy.damage_work", scalar, "J", "Energy dissipated by damage, part of the dissipated energy.", true},
       {"energy.balance_error", scalar, "J", "Total and dissipated energy minus external work and initial energy.", true},

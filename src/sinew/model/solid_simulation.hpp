@@ -92,7 +92,7 @@ class SolidSimulation final : public Simulation {
   double time_ = 0.0;
   long steps_ = 0;
   ForceSummary summary_;  ///< of the current state; its limits (Jacobian, rate) are those of all ranks
-  ContactSums contact_;   ///< of all ranks; energies and work are those of this rank
+  ContactSums contact_;   ///< of all ranks; only what limits the time step
   double first_time_step_ = 0.0;
   std::vector<double> dissipated_, dissipation_rate_;  ///< by damping, of each block [energy], [energy/time]
   std::vector<double> kinetic_;                        ///< scratch
