@@ -144,6 +144,31 @@ TEST(Contact, ListMissesNobody) {
   EXPECT_LT(contacts.lists_made(), 20);
 }
 
+/// Two particles that come from just beyond the list and pass: in every step the list has them as soon as they are near enough to limit the time step.
+TEST(Contact, ListIsRenewedInTime) {
+  PointSet a, b;
+  a.spacing = b.spacing = 1.0;
+  a.position = {{{0.0, 0.0, 0.0}}}, b.position = {{{1.7501, 0.0, 0.0}}};  // 1.25 and a skin of 0.5
+  a.volume = b.volume = {1.0};
+  Particles<3> particles = make_particles<3>({{"a", &a, 1.0, 1.0}, {"b", &b, 1.0, 1.0}}, 1.0);
+  HertzContact law;
+  law.stiffness = 3.0;
+  PairContacts<3> contacts(ContactTable{2, {law}, {-1, 0, 0, -1}, {0, 0}}, particles, std::vector<double>(particles.slots, 2.0),
+                           1.0, Comm());
+  VectorField<3> forces(particles.slots), unused(particles.slots);
+  const int left = particles.slot_of[0], right = particles.slot_of[1];
+  particles.velocity.set(left, {{1, 0, 0}});
+  particles.velocity.set(right, {{-1, 0, 0}});
+  for (int step = 0; step < 50; ++step) {
+    std::vector<ContactSums> sums(particles.blocks.size());
+    contacts.push(particles, 0.0, forces, unused, sums);
+    const bool near = norm(particles.current(right) - particles.current(left)) < 1.25;
+    for (const ContactSums& of_block : sums) EXPECT_DOUBLE_EQ(of_block.approach, near ? 2.0 : 0.0) << "step " << step;
+    particles.displacement.set(left, particles.displacement[left] + Vec3<double>{{0.01, 0, 0}});
+    particles.displacement.set(right, particles.displacement[right] - Vec3<double>{{0.01, 0, 0}});
+  }
+}
+
 /// The arms of a C swing at each other: with `self` they push each other away, without they pass.
 TEST(Contact, BodyTouchesItself) {
   const auto closest = [](const std::string& contact) {

@@ -81,6 +81,53 @@ std::vector<Vec<double, D>> slow_viscous_forces(const Particles<D>& p, double R,
   return forces;
 }
 
+/// Largest rate at which viscosity damps, by power iteration about a motion in which all pairs come together, over the squared rate that it asks of the time step:
+/// cfl = 0.3 then makes steps of at most 0.75 over it (2 is the limit of stability), and not far less.
+template <int D>
+double largest_damping_over_rate() {
+  Cloud<D> cloud = make_cloud<D>(D == 3 ? 5 : 9, 0.2, 2.41, false, 1, 6);
+  TotalLagrangianOptions o = viscous<D>(false);
+  o.viscosity = ArtificialViscosity{200.0, 0.0};
+  TotalLagrangian<D> solid(cloud.particles, cloud.radius, o);
+  const auto set_motion = [&](const VectorField<D>* more) {
+    for (int slot : cloud.particles.slot_of) {
+      Vec<double, D> v = -cloud.particles.position[slot];
+      if (more) v += 1e-3 * (*more)[slot];
+      cloud.particles.velocity.set(slot, v);
+    }
+  };
+  const auto forces_now = [&](ForceSummary& summary) {
+    VectorField<D> forces(cloud.particles.slots);
+    summary = solid.internal_forces(cloud.particles, forces);
+    return forces;
+  };
+  ForceSummary summary;
+  set_motion(nullptr);
+  const VectorField<D> base = forces_now(summary);
+  const double rate = std::sqrt(summary.largest_rate2);
+  VectorField<D> w(cloud.particles.slots);
+  for (int slot : cloud.particles.slot_of) w.set(slot, {{std::sin(3.0 * slot), std::cos(5.0 * slot)}});
+  double damping = 0.0;
+  for (int round = 0; round < 300; ++round) {
+    set_motion(&w);
+    const VectorField<D> forces = forces_now(summary);
+    double size2 = 0.0;
+    for (int slot : cloud.particles.slot_of) {
+      w.set(slot, (-1e3 / cloud.particles.mass[slot]) * (forces[slot] - base[slot]));
+      size2 += dot(w[slot], w[slot]);
+    }
+    damping = std::sqrt(size2);
+    for (int slot : cloud.particles.slot_of) w.set(slot, (1.0 / damping) * w[slot]);
+  }
+  return 0.3 * damping / rate;
+}
+TEST(Viscosity, LimitsTheTimeStepByItsDamping) {
+  for (const double steps : {largest_damping_over_rate<2>(), largest_damping_over_rate<3>()}) {
+    EXPECT_LT(steps, 0.75);
+    EXPECT_GT(steps, 0.15);
+  }
+}
+
 template <int D>
 void compare(double jitter) {
   const BlockSize small(100);

@@ -85,6 +85,41 @@ TEST(Walls, MovingWallDoesTheWork) {
   }
 }
 
+/// Trapezoidal rule in every step, so that the balance holds while they touch.
+TEST(Walls, WorkOfAMovingWallIsThatOfItsForce) {
+  std::string text = falling_bar("velocity = [0, 0.3]\n",
+                                 "[[probe]]\nname = \"push\"\nquantity = \"wall_force\"\nwall = \"floor\"\ncomponent = \"y\"\n");
+  text.replace(text.find("velocity = [0, -0.3]"), 20, "velocity = [0, 0]");
+  const auto simulation = simulation_of(text);
+  double work = 0.0, before = simulation->probe_values()[0];
+  while (simulation->time() < 0.3) {
+    const double begin = simulation->time();
+    simulation->step(1e300);
+    const double push = simulation->probe_values()[0];
+    work += 0.5 * (before + push) * 0.3 * (simulation->time() - begin);
+    before = push;
+    EXPECT_NEAR(simulation->energies().external_work, work, 1e-12 * 0.072);
+  }
+  EXPECT_GT(work, 0.05);
+}
+
+/// A wall that comes at a bar, and a bar that comes at a wall: the same in every step, with friction and damping.
+TEST(Walls, OnlyRelativeMotionCounts) {
+  std::string moving = falling_bar("velocity = [-0.5, 0.3]\nfriction = 0.2\ndamping = 0.3\n"),
+              fixed = falling_bar("friction = 0.2\ndamping = 0.3\n");
+  moving.replace(moving.find("velocity = [0, -0.3]"), 20, "velocity = [0, 0]");
+  fixed.replace(fixed.find("velocity = [0, -0.3]"), 20, "velocity = [0.5, -0.3]");
+  for (std::string* text : {&moving, &fixed}) text->replace(text->find("end_time = 1.0"), 14, "end_time = 1.0\ntime_step = 2e-4");
+  const auto a = simulation_of(moving), b = simulation_of(fixed);
+  for (int step = 0; step < 1500; ++step) {
+    a->step(1e300);
+    b->step(1e300);
+    EXPECT_NEAR(a->momenta().linear[0], b->momenta().linear[0] - 0.4 * 0.5, 1e-10);
+    EXPECT_NEAR(a->momenta().linear[1], b->momenta().linear[1] + 0.4 * 0.3, 1e-10);
+  }
+  EXPECT_GT(std::abs(a->momenta().linear[0]), 0.01) << "friction has acted";
+}
+
 TEST(Walls, ActOnNamedBodiesOnly) {
   std::string text = falling_bar("bodies = [\"other\"]\n",
                                  "[[body]]\nname = \"other\"\nmaterial = \"m\"\n"

@@ -68,12 +68,13 @@ struct PairContacts<D>::Boxes {
 template <int D>
 void PairContacts<D>::Point::append_to(std::vector<double>& rows) const {
   rows.insert(rows.end(), reference.c, reference.c + D);
-  rows.insert(rows.end(), {radius, support, inverse_mass, static_cast<double>(body), static_cast<double>(number)});
+  rows.insert(rows.end(),
+              {radius, support, inverse_mass, static_cast<double>(body), static_cast<double>(number), at_crack ? 1.0 : 0.0});
 }
 
 template <int D>
 typename PairContacts<D>::Point PairContacts<D>::Point::from_row(const double* row) {
-  Point p{{}, row[D], row[D + 1], row[D + 2], static_cast<int>(row[D + 3]), static_cast<int>(row[D + 4])};
+  Point p{{}, row[D], row[D + 1], row[D + 2], static_cast<int>(row[D + 3]), static_cast<int>(row[D + 4]), row[D + 5] != 0.0};
   std::copy_n(row, D, p.reference.c);
   return p;
 }
@@ -82,17 +83,21 @@ template <int D>
 typename PairContacts<D>::Point PairContacts<D>::point_of(const Particles<D>& particles, int slot) const {
   const int body = particles.body_of(slot);
   const double inverse_mass = table_.driven[body] ? 0.0 : 1.0 / particles.mass[slot];
-  return {particles.position[slot], radius_[slot], support_[slot], inverse_mass, body, particles.user_index[slot]};
+  Point point{particles.position[slot], radius_[slot], support_[slot], inverse_mass, body, particles.user_index[slot], false};
+  if (!cracks_) return point;
+  point.at_crack = cracks_->near(point.reference, body);
+  if (const auto* failed = cracks_->find(point.number)) point.radius = failed->radius;
+  return point;
 }
 
-/// Those of one body touch only if they were apart at the start.
+/// Those of one body touch only if they were apart at the start, or have come apart.
 template <int D>
 bool PairContacts<D>::may_touch(const Point& a, const Point& b) const {
   if (a.number == b.number || table_.law(a.body, b.body) < 0) return false;
   if (a.body != b.body) return true;
   const Vec<double, D> apart = a.reference - b.reference;
   const double support = std::max(a.support, b.support);
-  return dot(apart, apart) > support * support;
+  return dot(apart, apart) > support * support || (a.at_crack && b.at_crack && cracks_->cuts(a.reference, b.reference, a.body));
 }
 
 /// Own particles near boxes that they may touch become points.
@@ -188,6 +193,7 @@ void PairContacts<D>::make_list(const Particles<D>& particles) {
   find_partners();
   for (int c = 0; c < D; ++c) std::copy_n(particles.displacement.component(c), particles.slots, listed_at_.component(c));
   ++lists_made_;
+  list_is_stale_ = false;
 }
 
 template struct PairContacts<2>::Point;

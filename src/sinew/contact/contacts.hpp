@@ -36,6 +36,7 @@ class Contacts {
   Walls<D>& walls() { return walls_; }
   const Walls<D>& walls() const { return walls_; }
   const PairContacts<D>& pairs() const { return pairs_; }
+  PairContacts<D>& pairs() { return pairs_; }
   std::size_t bytes() const { return forces_.bytes() + (pairs_.any() ? pairs_.bytes() : 0); }
 
  private:

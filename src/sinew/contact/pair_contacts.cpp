@@ -112,7 +112,7 @@ void PairContacts<D>::push_block(int block, double dt, VectorField<D>& forces, V
 template <int D>
 void PairContacts<D>::push(const Particles<D>& particles, double dt, VectorField<D>& forces, VectorField<D>& contact_forces,
                            std::vector<ContactSums>& sums) {
-  if (lists_made_ == 0 || moved_too_far(particles))
+  if (list_is_stale_ || moved_too_far(particles))
     make_list(particles);
   else
     refresh(particles);

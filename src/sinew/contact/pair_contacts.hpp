@@ -1,10 +1,11 @@
 #pragma once
-/// Contact of particles of different bodies, or of one that has folded or broken: those that may touch soon are on a list, which is made anew when
+/// Contact of particles of different bodies, or of one that has folded or come apart: those that may touch soon are on a list, which is made anew when
 /// something has moved far enough. Each rank computes the forces on its own particles, in the order of the numbers of those that they touch; so both
 /// ends of a pair have exactly opposite forces, and results do not depend on who has which block.
 
 #include <sinew/contact/contact_sums.hpp>
 #include <sinew/contact_laws/registry.hpp>
+#include <sinew/neighbors/cracks.hpp>
 #include <sinew/parallel/exchange.hpp>
 #include <sinew/particles/particles.hpp>
 #include <vector>
@@ -36,6 +37,7 @@ class PairContacts {
                const Comm& comm);
 
   bool any() const { return table_.any(); }
+  bool touches_itself(int body) const { return any() && table_.law(body, body) >= 0; }
   /// Adds the contact forces of the current state to both fields. `dt`: since the last call, 0 at the start. Collective.
   void push(const Particles<D>& particles, double dt, VectorField<D>& forces, VectorField<D>& contact_forces,
             std::vector<ContactSums>& sums);
@@ -46,6 +48,11 @@ class PairContacts {
     int body = 0, other = 0;
   };
   Overlap overlap(double allowed) const;
+  /// Particles of one body also touch where they have come apart. To be called when there are new cracks; they stay with the caller.
+  void mind(const Cracks<D>& cracks) {
+    cracks_ = &cracks;
+    list_is_stale_ = true;
+  }
   long lists_made() const { return lists_made_; }
   std::size_t bytes() const;
 
@@ -55,8 +62,9 @@ class PairContacts {
     Vec<double, D> reference;
     double radius, support, inverse_mass;
     int body, number;  ///< number: in the user's order
+    bool at_crack;     ///< whether it may have come apart from others
 
-    static constexpr int width = D + 5;  ///< numbers in which it travels
+    static constexpr int width = D + 6;  ///< numbers in which it travels
     void append_to(std::vector<double>& rows) const;
     static Point from_row(const double* row);
   };
@@ -80,6 +88,8 @@ class PairContacts {
 
   ContactTable table_;
   Comm comm_;
+  const Cracks<D>* cracks_ = nullptr;
+  bool list_is_stale_ = true;
   double thickness_ = 1.0, reach_ = 0.0, skin_ = 0.0;
   AlignedArray<double> radius_, support_;
   VectorField<D> listed_at_;   ///< displacements when the list was made

@@ -1,6 +1,6 @@
 #pragma once
 /// What every model of damage offers. Damage D goes from 0 to 1 and takes tension away: of the principal stresses those that pull are multiplied by
-/// 1 - D; a failed particle still carries compression.
+/// 1 - D; a failed particle still carries compression, unless it separates from its body.
 ///
 ///     struct Name {
 ///       static constexpr std::string_view name, summary, source;
@@ -29,14 +29,20 @@ struct DamagePoint {
   double dt;
 };
 
+/// How damage goes on once it has begun, and what becomes of a particle at its end.
 struct CrackGrowth {
   double crack_speed = 0.4;
+  bool separate = false;
 
   static void describe(auto&& field, auto& m) {
     field("crack_speed", m.crack_speed, "1",
           "Growth rate of the cube root of the damage times kernel radius over speed of sound: what a crack makes of the speed "
           "of sound.",
           positive, optional);
+    field("separate", m.separate, "1",
+          "A failed particle loses its neighbors, and no others see each other through it; what has come apart meets by a "
+          "[[contact]] with self. Otherwise pairs stay, and failed particles carry compression.",
+          any_number, optional);
   }
   /// The cube root of D after a step.
   template <class T, class Mask>

@@ -97,7 +97,7 @@ template <int D, class Material>
 MaterialPoint<D> point_of(const Material& material, [[maybe_unused]] bool plane_stress) {
   if constexpr (HasHistory<Material>) {
     if (plane_stress) throw std::logic_error("a material with history in plane stress");
-    return {&material, respond_with_history<D, Material>, count_numbers<D, Material>()};
+    return {&material, respond_with_history<D, Material>, count_numbers<D, Material>(), Material::first_shape};
   } else {
     if constexpr (D == 2 && !std::is_same_v<Material, Rigid>)
       if (plane_stress) return {&material, respond_in_plane_stress<Material>, 0};

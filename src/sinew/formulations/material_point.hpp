@@ -74,6 +74,7 @@ struct MaterialPoint {
   const void* material;
   Function function;
   int numbers;                   ///< of a particle's history
+  int first_shape = 0;           ///< numbers [first_shape, those of damage) are a plastic shape, zero where there is none
   const void* damage = nullptr;  ///< nullptr: none
   DamageFunction damage_function = nullptr;
   DamageStep damage_step{};

@@ -90,18 +90,39 @@ class AllWeights {
     find_most_stiffness();
   }
 
+  std::vector<int> renew(const Block& block, const std::vector<int>& slices) {
+    BlockReference<D> reference(source_.pairs.blocks.most_places());
+    reference.take(source_, w_.radius, block);
+    std::vector<int> flat;
+    for (const int slice : slices) {
+      SliceWeights<D, Kernel, Correction> weights(source_, options_, correction_, &reference, w_);
+      const unsigned bad = weights.fill(slice, volumes_of(block, slice, reference), least_roundness);
+      w_.most_stiffness[block.body] = std::max(w_.most_stiffness[block.body], weights.most_stiffness());
+      const int* slots = source_.pairs.blocks.slots_of(block) + source_.pairs.blocks.place_of_slice[slice];
+      for (int k = 0; k < lanes; ++k)
+        if ((bad >> k & 1U) != 0U) flat.push_back(slots[k]);
+    }
+    return flat;
+  }
+
  private:
+  /// Of the moments of a particle that has lost neighbors, det M / (tr M / D)^D: a line of particles has 0, a plane surface 0.5. With less than that its
+  /// deformation gradient would say little.
+  static constexpr double least_roundness = 0.05;
+
+  SliceVolumes volumes_of(const Block& block, int slice, const BlockReference<D>& reference) const {
+    SliceVolumes volumes{};
+    const int place = source_.pairs.blocks.place_of_slice[slice];
+    const int* slots = source_.pairs.blocks.slots_of(block) + place;
+    for (int k = 0; k < lanes; ++k)
+      if (block.owns(slots[k])) volumes[k] = reference.volume[place + k];
+    return volumes;
+  }
+
   void fill_block(const Block& block, BlockReference<D>& reference) {
     reference.take(source_, w_.radius, block);
-    const int* slots = source_.pairs.blocks.slots_of(block);
-    for (int slice = block.first_slice; slice < block.end_slice; ++slice) {
-      if (!source_.pairs.listed(slice)) continue;
-      SliceVolumes volumes{};
-      const int place = source_.pairs.blocks.place_of_slice[slice];
-      for (int k = 0; k < lanes; ++k)
-        if (block.owns(slots[place + k])) volumes[k] = reference.volume[place + k];
-      fill_slice(slice, volumes, &reference);
-    }
+    for (int slice = block.first_slice; slice < block.end_slice; ++slice)
+      if (source_.pairs.listed(slice)) fill_slice(slice, volumes_of(block, slice, reference), &reference);
   }
 
   void fill_slice(int slice, const SliceVolumes& volumes, const BlockReference<D>* reference) {
@@ -156,6 +177,20 @@ PairWeights<D> make_pair_weights(const PairSource<D>& source, const std::vector<
   return w;
 }
 
+template <int D>
+std::vector<int> renew_weights(const PairSource<D>& source, const Block& block, const std::vector<int>& slices,
+                               const WeightOptions& options, PairWeights<D>& weights) {
+  return std::visit(
+      [&]<class Kernel, class Correction>(const Kernel&, const Correction& correction) {
+        return AllWeights<D, Kernel, Correction>(source, options, correction, weights).renew(block, slices);
+      },
+      options.kernel, options.correction);
+}
+
+template std::vector<int> renew_weights<2>(const PairSource<2>&, const Block&, const std::vector<int>&, const WeightOptions&,
+                                           PairWeights<2>&);
+template std::vector<int> renew_weights<3>(const PairSource<3>&, const Block&, const std::vector<int>&, const WeightOptions&,
+                                           PairWeights<3>&);
 template PairWeights<2> make_pair_weights<2>(const PairSource<2>&, const std::vector<double>&, const WeightOptions&);
 template PairWeights<3> make_pair_weights<3>(const PairSource<3>&, const std::vector<double>&, const WeightOptions&);
 

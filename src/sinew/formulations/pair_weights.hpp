@@ -102,4 +102,9 @@ template <int D>
 PairWeights<D> make_pair_weights(const PairSource<D>& source, const std::vector<double>& support_radius,
                                  const WeightOptions& options);
 
+/// Anew for slices of a block of which pairs have been cut. Returns the slots that are left with too few neighbors, or nearly all in one line or plane.
+template <int D>
+std::vector<int> renew_weights(const PairSource<D>& source, const Block& block, const std::vector<int>& slices,
+                               const WeightOptions& options, PairWeights<D>& weights);
+
 }  // namespace sinew

@@ -54,8 +54,9 @@ class SliceWeights {
         reference_(reference),
         w_(weights) {}
 
-  /// Fills weights and constants of a slice. Returns the lanes whose neighbors do not allow the correction.
-  unsigned fill(int slice, const SliceVolumes& volumes) {
+  /// Fills weights and constants of a slice. Returns the lanes whose neighbors do not allow the correction, or whose moments are less round than that:
+  /// det M / (tr M / D)^D.
+  unsigned fill(int slice, const SliceVolumes& volumes, double least_roundness = 0.0) {
     const NeighborSums<D> sums = sum_neighbors(slice, volumes);
     unsigned bad = 0;
     Vec<Pack, D> shift;
@@ -64,7 +65,7 @@ class SliceWeights {
     for (int k = lanes - 1; k >= 0; --k) {
       if (volumes[k] == 0.0) continue;
       const GradientMap<D> map = correction_.map(sums.lane(k));
-      if (!map.valid) bad |= 1U << k;
+      if (!map.valid || roundness(sums.lane(k).first) < least_roundness) bad |= 1U << k;
       scale.set(k, map.scale);
       for (int i = 0; i < D; ++i) {
         shift[i].set(k, map.shift[i]);
@@ -82,6 +83,11 @@ class SliceWeights {
   double most_stiffness() const { return most_stiffness_; }
 
  private:
+  static double roundness(const Mat<double, D>& moment) {
+    double isotropic = 1.0;
+    for (int i = 0; i < D; ++i) isotropic *= trace(moment) / D;
+    return isotropic > 0.0 ? determinant(moment) / isotropic : 0.0;
+  }
   /// use(entry, X_ij, V_j, R_i) for all neighbors; X = 0 where a particle has fewer than the others. `entry`: of the list, if there is one.
   template <class Use>
   void for_each_neighbor(int slice, Use&& use) const {

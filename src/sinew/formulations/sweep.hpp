@@ -14,11 +14,12 @@ namespace sinew {
 /// Sums and extremes over the slices of a block, lane by lane.
 struct SweepSums {
   Pack energy{0.0}, hourglass_energy{0.0}, released{0.0}, plastic_work{0.0}, damage_work{0.0}, viscous_power{0.0};
-  Pack jacobian{infinity}, stiffness_rate{0.0};
+  Pack jacobian{infinity}, stiffness_rate{0.0}, left{1.0};
 
   ForceSummary total(double density) const {
-    return {sum(energy),      sum(hourglass_energy), sum(released),      sum(plastic_work),
-            sum(damage_work), sum(viscous_power),    smallest(jacobian), largest(stiffness_rate) / density};
+    return {sum(energy),          sum(hourglass_energy), sum(released),      sum(plastic_work),
+            sum(damage_work),     sum(viscous_power),    smallest(jacobian), largest(stiffness_rate) / density,
+            smallest(left) == 0.0};
   }
 };
 
@@ -91,6 +92,7 @@ template <int D>
 SINEW_INLINE void count_dissipation(const SweepTask<D>& task, const PointResponse<D>& point, const Pack& volume,
                                     const Pack& hourglass_energy, SweepSums& sums) {
   const Pack left = point.damage.left * (task.fixed_modulus > 0.0 ? Pack(1.0) : point.hourglass_left);
+  sums.left = min(sums.left, point.damage.left);
   sums.plastic_work += volume * point.plastic.work;
   sums.damage_work += volume * point.damage.work;
   sums.hourglass_energy += left * hourglass_energy;

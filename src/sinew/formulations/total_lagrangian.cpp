@@ -1,8 +1,10 @@
+#include <sinew/formulations/separation.hpp>
 #include <sinew/formulations/sweep_dispatch.hpp>
 #include <sinew/formulations/total_lagrangian.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <span>
 
 namespace sinew {
@@ -16,19 +18,6 @@ double youngs_modulus_of(const AnyMaterial& material) {
   return std::visit([](const auto& m) { return m.elastic.youngs_modulus; }, material);
 }
 
-/// 2 / omega of the stiffest hourglass mode. Each pair has the shares of both ends, and a mode may move both ends against each other:
-/// omega^2 <= 4 c E / rho sum_j w_ij, c the coefficient and w_ij the weights; only 1/D of it where the force is along the pair.
-template <int D>
-double hourglass_limit(const Particles<D>& particles, const PairWeights<D>& weights, const TotalLagrangianOptions& options) {
-  double omega2 = 0.0;
-  for (std::size_t b = 0; b < particles.bodies.size(); ++b) {
-    const AnyMaterial& material = options.materials[b];
-    const double stiffness = options.hourglass->coefficient() * youngs_modulus_of(material) * weights.most_stiffness[b];
-    omega2 = std::max(omega2, 4.0 * stiffness / density_of(material) / (options.hourglass->conservative() ? 1.0 : D));
-  }
-  return omega2 > 0.0 ? 2.0 / std::sqrt(omega2) : infinity;
-}
-
 /// Of the materials of all bodies.
 template <int D>
 std::vector<int> history_numbers(const TotalLagrangianOptions& options) {
@@ -40,8 +29,14 @@ std::vector<int> history_numbers(const TotalLagrangianOptions& options) {
 
 }  // namespace
 
+bool TotalLagrangianOptions::separates() const {
+  for (std::size_t body = 0; body < damages.size(); ++body)
+    if (separates(body)) return true;
+  return false;
+}
+
 bool may_use_lattice(const TotalLagrangianOptions& options) {
-  return options.lattice && std::visit([](const auto& c) { return c.radial; }, options.correction);
+  return options.lattice && !options.separates() && std::visit([](const auto& c) { return c.radial; }, options.correction);
 }
 
 template <int D>
@@ -72,8 +67,25 @@ TotalLagrangian<D>::TotalLagrangian(const Particles<D>& particles, BlockPairs<D>
   }
   choose_weights();
   comm_.together([&] { weights_ = make_pair_weights<D>({particles, pairs_}, support_radius, weight_options()); });
+  limit_time_step(particles);
+  if (options_.separates())
+    cracks_ = Cracks<D>(comm_.maximum(
+        std::accumulate(support_radius.begin(), support_radius.end(), 0.0, [](double a, double b) { return max(a, b); })));
+}
+
+/// 2 / omega of the stiffest hourglass mode. Each pair has the shares of both ends, and a mode may move both ends against each other:
+/// omega^2 <= 4 c E / rho sum_j w_ij, c the coefficient and w_ij the weights; only 1/D of it where the force is along the pair.
+template <int D>
+void TotalLagrangian<D>::limit_time_step(const Particles<D>& particles) {
   comm_.maximum(weights_.most_stiffness);
-  if (options_.hourglass) hourglass_time_step_ = hourglass_limit(particles, weights_, options_);
+  if (!options_.hourglass) return;
+  double omega2 = 0.0;
+  for (std::size_t b = 0; b < particles.bodies.size(); ++b) {
+    const AnyMaterial& material = options_.materials[b];
+    const double stiffness = options_.hourglass->coefficient() * youngs_modulus_of(material) * weights_.most_stiffness[b];
+    omega2 = std::max(omega2, 4.0 * stiffness / density_of(material) / (options_.hourglass->conservative() ? 1.0 : D));
+  }
+  hourglass_time_step_ = omega2 > 0.0 ? 2.0 / std::sqrt(omega2) : infinity;
 }
 
 template <int D>
@@ -191,11 +203,6 @@ ForceSummary TotalLagrangian<D>::internal_forces(Particles<D>& particles, Vector
 }
 
 template <int D>
-ForceSummary TotalLagrangian<D>::internal_forces(Particles<D>& particles, VectorField<D>& forces) {
-  return internal_forces(particles, forces, 0.0, [](int, int) {});
-}
-
-template <int D>
 ForceSummary TotalLagrangian<D>::record(Particles<D>& particles, RecordedState& state) {
   const PairSource<D> source{particles, pairs_};
   const WeightOptions weights = weight_options();
@@ -207,6 +214,48 @@ ForceSummary TotalLagrangian<D>::record(Particles<D>& particles, RecordedState& 
   recorded_.resize(summaries_.size());
   sweep_blocks(particles, work, false);
   return total(recorded_);
+}
+
+/// Energies of the blocks that have changed; what they have lost is released.
+template <int D>
+void TotalLagrangian<D>::measure_again(const Particles<D>& particles, const std::vector<char>& changed) {
+  const PairSource<D> source{particles, pairs_};
+  const WeightOptions weights = weight_options();
+  prepare_scratch();
+  for (std::size_t b = 0; b < changed.size(); ++b) {
+    if (!changed[b]) continue;
+    const SweepTask<D> task = task_of(static_cast<int>(b), source, weights, {}, nullptr);
+    const ForceSummary now = sweep_block<D>(task);
+    task.scratch.discard(task.block);
+    ForceSummary& summary = summaries_[b];
+    summary.released += summary.strain_energy + summary.hourglass_energy - now.strain_energy - now.hourglass_energy;
+    summary.strain_energy = now.strain_energy;
+    summary.hourglass_energy = now.hourglass_energy;
+  }
+}
+
+template <int D>
+Separation<D> TotalLagrangian<D>::separation(const Particles<D>& particles, const WeightOptions& weights) {
+  return Separation<D>({comm_, options_, weights, particles, pairs_, weights_, history_, cracks_});
+}
+
+template <int D>
+bool TotalLagrangian<D>::separate(const Particles<D>& particles) {
+  const WeightOptions weights = weight_options();
+  const std::vector<char> changed = separation(particles, weights).cut_off_failed(summaries_);
+  if (changed.empty()) return false;
+  measure_again(particles, changed);
+  limit_time_step(particles);
+  return true;
+}
+
+template <int D>
+void TotalLagrangian<D>::restore_cracks(const Particles<D>& particles, const std::vector<double>& failed,
+                                        const std::vector<double>& most_stiffness) {
+  const WeightOptions weights = weight_options();
+  separation(particles, weights).cut_off_again(failed);
+  weights_.most_stiffness = most_stiffness;
+  limit_time_step(particles);
 }
 
 template <int D>

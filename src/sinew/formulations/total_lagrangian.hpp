@@ -14,6 +14,7 @@
 #include <sinew/formulations/history.hpp>
 #include <sinew/formulations/pair_weights.hpp>
 #include <sinew/neighbors/block_scratch.hpp>
+#include <sinew/neighbors/cracks.hpp>
 #include <sinew/parallel/share.hpp>
 #include <sinew/stabilization/registry.hpp>
 
@@ -29,6 +30,7 @@ struct ForceSummary {
   double viscous_power = 0.0;  ///< taken by artificial viscosity [energy/time]
   double smallest_jacobian = 1.0;  ///< min det F
   double largest_rate2 = 0.0;      ///< max of (fastest wave speed / length)^2 [1/time^2]
+  bool fails = false;              ///< whether the damage of a particle has become 1 in this step
   bool finite = true;              ///< whether all of it is a number
 };
 
@@ -59,6 +61,12 @@ struct TotalLagrangianOptions {
   const AnyDamage* damage_of(std::size_t body) const {
     return body < damages.size() && damages[body] ? &*damages[body] : nullptr;
   }
+  /// Whether its failed particles lose their neighbors.
+  bool separates(std::size_t body) const {
+    const AnyDamage* damage = damage_of(body);
+    return damage && std::visit([](const auto& model) { return model.growth.separate; }, *damage);
+  }
+  bool separates() const;  ///< any body
 };
 
 /// Energies of all particles of all ranks.
@@ -71,6 +79,8 @@ bool may_use_lattice(const TotalLagrangianOptions& options);
 
 template <int D>
 struct SweepTask;
+template <int D>
+class Separation;
 
 template <int D>
 class TotalLagrangian {
@@ -91,7 +101,9 @@ class TotalLagrangian {
   /// `record` it keeps F, P and energies of every particle besides.
   ForceSummary internal_forces(Particles<D>& particles, VectorField<D>& forces, double dt, Finish finish,
                                RecordedState* record = nullptr);
-  ForceSummary internal_forces(Particles<D>& particles, VectorField<D>& forces);
+  ForceSummary internal_forces(Particles<D>& particles, VectorField<D>& forces) {
+    return internal_forces(particles, forces, 0.0, [](int, int) {});
+  }
   /// The same sweep for what it keeps alone; histories stay.
   ForceSummary record(Particles<D>& particles, RecordedState& state);
   /// Of the state of the last evaluation of the forces.
@@ -99,6 +111,16 @@ class TotalLagrangian {
   /// Of the last evaluation, block by block.
   const std::vector<ForceSummary>& block_summaries() const { return summaries_; }
   HistoryStore& history() { return history_; }
+
+  /// Cuts off the particles that have failed in the last evaluation of the forces, if they are to separate, and those that would be left with too few
+  /// neighbors. The elastic energy that this takes is `released` in the summaries. Returns whether there were any. Collective.
+  bool separate(const Particles<D>& particles);
+  /// The same at a restart. `failed`: {number, contact radius} of each; `most_stiffness`: as it was, see below. Collective.
+  void restore_cracks(const Particles<D>& particles, const std::vector<double>& failed,
+                      const std::vector<double>& most_stiffness);
+  const Cracks<D>& cracks() const { return cracks_; }
+  /// Largest sum of the hourglass weights of a particle so far, of each body [1/length^2].
+  const std::vector<double>& most_stiffness() const { return weights_.most_stiffness; }
 
   /// Upper limit of the time step from the hourglass stiffness, 2 / omega; infinity without it.
   double hourglass_time_step() const { return hourglass_time_step_; }
@@ -117,6 +139,10 @@ class TotalLagrangian {
   void sweep_blocks(Particles<D>& particles, Work&& work, bool forces_go_back);
   static ForceSummary total(const std::vector<ForceSummary>& of_blocks);
 
+  Separation<D> separation(const Particles<D>& particles, const WeightOptions& weights);
+  void measure_again(const Particles<D>& particles, const std::vector<char>& changed);
+  void limit_time_step(const Particles<D>& particles);
+
   WeightOptions weight_options() const;
   void choose_weights();
   void prepare_scratch();
@@ -130,6 +156,7 @@ class TotalLagrangian {
   PairWeights<D> weights_;
   double hourglass_time_step_ = infinity;
   HistoryStore history_;
+  Cracks<D> cracks_;
   std::vector<ForceSummary> summaries_;     ///< one a block, of the last evaluation of the forces
   std::vector<ForceSummary> recorded_;      ///< scratch, likewise of record()
   VectorField<D> spilled_;                  ///< scratch: forces on ghosts

@@ -54,6 +54,7 @@ struct J2 {
   static constexpr std::string_view name = Hardening::name, summary = Hardening::summary, source = Hardening::source;
   template <class M>
   using History = PlasticHistory<M>;
+  static constexpr int first_shape = 2;  ///< number of the history from which on it is the metric
   double density = 0.0;
   ElasticConstants elastic;
   Hardening hardening;

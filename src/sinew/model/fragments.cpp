@@ -10,62 +10,63 @@ namespace {
 
 constexpr double failed = std::numeric_limits<double>::infinity();
 
-/// Each particle is labeled with the smallest number (in the user's order) of its piece; failed ones with `failed`. Labels of copies come from the other ranks.
+/// Each particle is labeled with the smallest number (in the user's order) of its piece; failed ones with `failed`.
 template <int D>
 class Labels {
  public:
   Labels(const Particles<D>& particles, const TotalLagrangian<D>& solid, const RecordedState& state)
       : particles_(particles),
-        solid_(solid),
         copies_(solid.halo().displacements),
-        label_(static_cast<std::size_t>(particles.slots) + particles.copies) {
+        label_(static_cast<std::size_t>(particles.slots) + particles.copies),
+        up_(static_cast<std::size_t>(particles.slots) + particles.copies) {
     for (const BlockRange& block : particles.blocks)
       for (int slot = block.begin; slot < block.end; ++slot) {
         const bool gone = !state.inelastic.empty() && state.inelastic.at(3, slot) >= 1.0;
         label_.at(0, slot) = gone ? failed : particles.user_index[slot];
       }
+    exchange();
+    std::iota(up_.begin(), up_.end(), 0);
+    for (const Block& block : solid.pairs().blocks.all)
+      solid.pairs().for_each_pair(block, [this](int i, int j) {
+        if (label_.at(0, i) != failed && label_.at(0, j) != failed) unite(i, j);
+      });
   }
 
-  /// Until nothing changes on any rank. Sweeps go forth and back, so that labels run through a whole rank at once.
+  /// Until nothing changes on any rank. Pieces of a rank are one already; copies bring what others know of them.
   void spread(const Comm& comm) {
     bool changed = true;
     while (comm.any(changed)) {
-      copies_.start(label_);
-      copies_.finish();
       changed = false;
-      while (sweep()) changed = true;
+      for (int slot = 0; slot < static_cast<int>(up_.size()); ++slot) {
+        double& of_piece = label_.at(0, root(slot));
+        if (label_.at(0, slot) < of_piece) of_piece = label_.at(0, slot), changed = true;
+      }
+      for (int slot = 0; slot < static_cast<int>(up_.size()); ++slot) label_.at(0, slot) = label_.at(0, root(slot));
+      exchange();
     }
   }
 
   double of(int slot) const { return label_.at(0, slot); }
 
  private:
-  bool sweep() {
-    bool changed = false;
-    for (const BlockRange& block : particles_.blocks)
-      for (int slot = block.begin; slot < block.end; ++slot) changed = take_smallest(slot) || changed;
-    for (auto block = particles_.blocks.rbegin(); block != particles_.blocks.rend(); ++block)
-      for (int slot = block->end - 1; slot >= block->begin; --slot) changed = take_smallest(slot) || changed;
-    return changed;
+  void exchange() {
+    copies_.start(label_);
+    copies_.finish();
   }
-
-  /// The smallest label of a particle and its neighbors, to all of them that are here.
-  bool take_smallest(int slot) {
-    if (of(slot) == failed) return false;
-    const std::vector<int> neighbors = solid_.pairs().neighbors(slot, particles_);
-    double least = of(slot);
-    for (int j : neighbors) least = std::min(least, of(j));
-    bool changed = least < of(slot);
-    label_.at(0, slot) = least;
-    for (int j : neighbors)
-      if (j < particles_.slots && of(j) != failed && of(j) > least) label_.at(0, j) = least, changed = true;
-    return changed;
+  int root(int slot) {
+    while (up_[slot] != slot) slot = up_[slot] = up_[up_[slot]];
+    return slot;
+  }
+  /// The root of a piece is its first slot.
+  void unite(int i, int j) {
+    const int a = root(i), b = root(j);
+    up_[std::max(a, b)] = std::min(a, b);
   }
 
   const Particles<D>& particles_;
-  const TotalLagrangian<D>& solid_;
   Exchange copies_;
   VectorField<D> label_;  ///< component 0
+  std::vector<int> up_;   ///< of each slot: another one of its piece, the root itself
 };
 
 /// {label, number of the block, mass} of what each piece has in each block.

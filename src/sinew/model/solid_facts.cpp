@@ -123,6 +123,11 @@ void SolidSimulation<D>::collect_facts(const std::vector<GeneratedBody>& bodies,
   warn_of_supersonic_motion();
   if (bodies.size() > 1 && !contacts_.pairs().any())
     facts_.warnings.push_back("the bodies do not act on each other: there is no [[contact]] between them.");
+  for (std::size_t b = 0; b < bodies.size(); ++b)
+    if (solid_.options().separates(b) && !contacts_.pairs().touches_itself(static_cast<int>(b)))
+      facts_.warnings.push_back(fmt::format(
+          "body \"{}\" comes apart where it fails, but has no [[contact]] with self: its pieces will pass through each other.",
+          case_.bodies[b].name));
   if (!solid_.options().hourglass) facts_.warnings.push_back("zero-energy modes are not controlled: stabilization is off.");
 }
 

@@ -127,6 +127,8 @@ void SolidSimulation<D>::update_forces(double dt) {
                                     AccelerateAndKick<D>{particles_, forces_, gravity_, dt, case_.solver.damping}, recorded);
   if (recorded) recorded_step_ = steps_;
   timer_.mark("forces and kick");
+  if (solid_.options().separates() && solid_.separate(particles_)) mind_cracks();
+  timer_.mark("separation");
   for (std::size_t b = 0; b < dissipated_.size(); ++b)
     dissipated_[b] += solid_.block_summaries()[b].released + dt * solid_.block_summaries()[b].viscous_power;
   guard([&] { motion_.hold(particles_, time_, dt, case_.solver.damping); });
@@ -134,6 +136,14 @@ void SolidSimulation<D>::update_forces(double dt) {
   timer_.mark("boundary");
   share_limits();
   timer_.mark("time step");
+}
+
+/// What depends on who sees whom.
+template <int D>
+void SolidSimulation<D>::mind_cracks() {
+  contacts_.pairs().mind(solid_.cracks());
+  step_size_.hourglass_limit = solid_.hourglass_time_step();
+  recorded_step_ = -1;
 }
 
 /// Formulas of conditions may fail where they are evaluated, on the ranks that have those particles. These go on to where all can be told.

@@ -53,6 +53,7 @@ class SolidSimulation final : public Simulation {
                   const Stopwatch& watch);
   void start();
   void update_forces(double dt);
+  void mind_cracks();
   void count_dissipation(double dt);
   void check_same_parts(const SavedState& state);
   void save_contacts(SavedState& state);
@@ -87,7 +88,7 @@ class SolidSimulation final : public Simulation {
   Probes<D> probes_;
   StepSize step_size_;
   UserOrder order_;
-  PassTimer timer_{"drift", "boundary", "contact", "forces and kick", "time step"};
+  PassTimer timer_{"drift", "boundary", "contact", "forces and kick", "separation", "time step"};
 
   double time_ = 0.0;
   long steps_ = 0;

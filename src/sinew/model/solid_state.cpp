@@ -135,6 +135,11 @@ SavedState SolidSimulation<D>::save() {
     of_blocks.insert(of_blocks.end(), {motion_.work()[b], loads_.work()[b], dissipated_[b], dissipation_rate_[b]});
   save_contacts(s);
   if (contacts_.any()) s.fields["contact_force"] = in_users_order(contacts_.forces(), order_);
+  if (!solid_.cracks().empty()) {
+    s.arrays["most_stiffness"] = solid_.most_stiffness();
+    for (const auto& failed : solid_.cracks().all())
+      s.arrays["failed"].insert(s.arrays["failed"].end(), {static_cast<double>(failed.number), failed.radius});
+  }
   s.arrays["blocks"] = gather_over_blocks(comm_, particles_.block_numbers(), of_blocks, 4);
   for (const auto& r : motion_.reactions())
     reactions.insert(reactions.end(), {double(r.condition), double(particles_.user_index[r.slot]), r.value});
@@ -165,6 +170,10 @@ void SolidSimulation<D>::restore(const SavedState& s) {
   from_users_order(s.fields.at("velocity"), order_, particles_.velocity);
   from_users_order(s.fields.at("acceleration"), order_, particles_.acceleration);
   if (solid_.history().width() > 0) from_users_order(s.fields.at("history"), particles_, order_, solid_.history());
+  if (const auto failed = s.arrays.find("failed"); failed != s.arrays.end()) {
+    solid_.restore_cracks(particles_, failed->second, s.arrays.at("most_stiffness"));
+    mind_cracks();
+  }
   time_ = s.time;
   steps_ = s.step;
   const std::vector<double>&of_blocks = s.arrays.at("blocks"), &reactions = s.arrays.at("reactions");

@@ -70,6 +70,22 @@ TEST(Hertz, DampingTakesEnergyAndNeverPulls) {
   }
 }
 
+/// Stiff damping is held to what a step can resolve, m v / (4 dt).
+TEST(Hertz, DampingIsNoMoreThanAStepResolves) {
+  const double elastic = law(0.0, 0.0).force(touch(0.05), 0.0).force[2];
+  EXPECT_NEAR(law(0.0, 0.5).force(touch(0.05, {{0, 0, -0.1}}), 1.0).force[2], elastic + 0.25 * 3.0 * 0.1, 1e-14);
+}
+
+/// Friction follows the whole normal force, with its damping; there is none where damping has taken it all.
+TEST(Hertz, FrictionFollowsTheWholeNormalForce) {
+  const auto coming = law(0.4, 0.2).force(touch(0.05, {{3, 4, -2}}), 0.1);
+  EXPECT_GT(coming.force[2], 1.5 * law(0.0, 0.0).force(touch(0.05), 0.0).force[2]);
+  EXPECT_NEAR(coming.force[0], -0.4 * coming.force[2] * 0.6, 1e-14);
+  const auto parting = law(0.4, 0.2).force(touch(0.05, {{3, 4, 5}}), 1e-3);
+  EXPECT_EQ(parting.force[2], 0.0);
+  EXPECT_EQ(parting.force[0], 0.0);
+}
+
 /// Fast slip: mu F against it. Slow slip: no more than stops it.
 TEST(Hertz, FrictionIsCoulombs) {
   const auto f = law(0.4, 0.0).force(touch(0.05, {{3, 4, 0}}), 1e-1);

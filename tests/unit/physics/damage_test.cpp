@@ -101,8 +101,25 @@ TEST(JohnsonCookFailure, AddsUp) {
   point.temperature = 294.0, point.dt = 1e-2;  // a rate of 0.1, below the reference
   const double limit = model.failure_strain(1.0 / 3.0, 1.0, 294.0);
   double sum = 0.0, strain = 0.0;
-  while (!model.begins(point, &sum)) strain += 0.001;
+  while (!model.begins(point, &sum) && strain < 2.0 * limit) strain += 0.001;
   EXPECT_NEAR(strain, limit, 0.0011);
+}
+
+/// It takes the rate of the step, the temperature of the point, and the triaxiality of the Kirchhoff stress, whatever the deformation.
+TEST(JohnsonCookFailure, SeesTheStateOfThePoint) {
+  const JohnsonCookFailure model = johnson_cook();
+  const Mat3<double> F{{{1.2, 0.3, -0.1}, {0.1, 0.9, 0.2}, {-0.2, 0.1, 1.1}}};
+  DamagePoint<Mat3<double>> point = at(F);
+  Mat3<double> tau;
+  tau[0][0] = 2.0;
+  point.P = tau * transpose(inverse(F));
+  point.plastic_increment = 1e-3, point.dt = 1e-6, point.temperature = 1043.5;
+  const double share = 1e-3 / model.failure_strain(1.0 / 3.0, 1e3, 1043.5);
+  double sum = 0.0;
+  for (int step = 1; step <= 2; ++step) {
+    model.begins(point, &sum);
+    EXPECT_NEAR(sum, step * share, 1e-12 * share);
+  }
 }
 
 TEST(JohnsonCookFailure, SaysWhatIsMissing) {
