@@ -77,7 +77,8 @@ class Block {
     return o;
   }
   void accelerate(double dt) {
-    solid_.internal_forces(particles_, forces_, dt, AccelerateAndKick<D>{particles_, forces_, {}, dt, 0.0});
+    solid_.internal_forces(particles_, forces_, {dt, HistoryUse::advance},
+                           AccelerateAndKick<D>{particles_, forces_, {}, dt, 0.0});
   }
 
   void time_once(plain::Solver<D>& solver, Timings& t) {

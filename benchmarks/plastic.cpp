@@ -54,7 +54,8 @@ class Solid {
  private:
   void step(double dt) {
     if (dt > 0.0) kick_and_drift(particles_, dt, 0.0);
-    solid_.internal_forces(particles_, forces_, dt, AccelerateAndKick<D>{particles_, forces_, {}, dt, 0.0});
+    solid_.internal_forces(particles_, forces_, {dt, HistoryUse::advance},
+                           AccelerateAndKick<D>{particles_, forces_, {}, dt, 0.0});
   }
 
   Particles<D> particles_;

@@ -6,7 +6,8 @@ namespace sinew {
 
 static const std::vector<WrongCase> wrong_outputs{
     {"UnknownKeyInSolver", "cfl =", "clf =",
-     "case.toml:29:1: [solver]: unknown key \"clf\". Did you mean \"cfl\"? Known keys: mode, integrator, cfl, end_time, "
+     "case.toml:29:1: [solver]: unknown key \"clf\". Did you mean \"cfl\"? Known keys: mode, integrator, cfl, wave_speed, "
+     "end_time, "
      "max_steps, time_step, damping, pair_weights, lattice, block_size."},
     {"UnknownKeyInOutput", "every =", "evry =",
      "case.toml:32:1: [output]: unknown key \"evry\". Did you mean \"every\"? Known keys: every, history_every, "
@@ -22,6 +23,7 @@ static const std::vector<WrongCase> wrong_outputs{
     {"EndTimeZero", "end_time = 0.5", "end_time = 0", "case.toml:30:12: [solver]: end_time must be greater than 0, found 0"},
     {"EndTimeMissing", "end_time = 0.5", "max_stepss = 5",
      "case.toml:30:1: [solver]: unknown key \"max_stepss\". Did you mean \"max_steps\"? Known keys: mode, integrator, cfl, "
+     "wave_speed, "
      "end_time, max_steps, time_step, damping, pair_weights, lattice, block_size."},
     {"NoEnd", "end_time = 0.5\n", "",
      "case.toml:28:1: [solver]: \"end_time\" is missing. Give the time at which the run ends, or max_steps."},
@@ -35,7 +37,7 @@ static const std::vector<WrongCase> wrong_outputs{
      "case.toml:29:8: [solver]: mode: unknown name \"implicit\". Did you mean \"explicit\"? Known names: explicit."},
     {"UnknownIntegrator", "cfl = 0.3", "integrator = \"verlet\"",
      "case.toml:29:14: [solver]: integrator: unknown name \"verlet\". Did you mean \"velocity_verlet\"? Known names: "
-     "velocity_verlet."},
+     "velocity_verlet, rk3."},
     {"NegativeOutputInterval", "\"end_time/50\"", "-1", "case.toml:32:9: [output]: every must be 0 or greater, found -1"},
     {"UnknownOutputField", "fields = [\"velocity\"]", "fields = [\"velocity\", \"von_mises\"]",
      "case.toml:33:23: [output]: fields: unknown name \"von_mises\". Did you mean \"von_mises_stress\"? Known names: "

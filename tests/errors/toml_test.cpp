@@ -43,9 +43,10 @@ static std::string error_of_override(const std::string& path, const std::string&
 TEST(WrongOverride, HasItsMessage) {
   EXPECT_EQ(error_of_override("parameters.m", "16"),
             "--set parameters.m=16: unknown parameter \"m\". Did you mean \"n\"? Known parameters: n, omega.");
-  EXPECT_EQ(error_of_override("solver.clf", "0.1"),
-            "--set solver.clf=0.1: [solver]: unknown key \"clf\". Did you mean \"cfl\"? Known keys: mode, integrator, cfl, "
-            "end_time, max_steps, time_step, damping, pair_weights, lattice, block_size.");
+  EXPECT_EQ(
+      error_of_override("solver.clf", "0.1"),
+      "--set solver.clf=0.1: [solver]: unknown key \"clf\". Did you mean \"cfl\"? Known keys: mode, integrator, cfl, wave_speed, "
+      "end_time, max_steps, time_step, damping, pair_weights, lattice, block_size.");
   EXPECT_EQ(error_of_override("solvers.cfl", "0.1"),
             "--set solvers.cfl=0.1: unknown key \"solvers\". Did you mean \"solver\"? Known keys: case, parameters, body, "
             "material, formulation, region, initial, boundary, body_force, contact, wall, solver, output, probe, expect, study.");

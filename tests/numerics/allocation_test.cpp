@@ -29,14 +29,17 @@ namespace {
 using namespace sinew::testing;
 
 TEST(Allocation, AStepAllocatesNothing) {
-  const auto simulation = simulation_of(free_block(
-      3,
-      "damping = 2.0\n[region]\nleft = { where = \"X < 0.2\" }\n[[boundary]]\nregion = \"left\"\nvelocity = [0, \"x*t\", 0]\n"
-      "[body_force]\nacceleration = [0, 0, -9.81]\n"));
-  run_steps(*simulation, 3);
-  const long before = allocations;
-  run_steps(*simulation, 20);
-  EXPECT_EQ(allocations - before, 0);
+  for (const std::string integrator : {"velocity_verlet", "rk3"}) {
+    const auto simulation = simulation_of(free_block(
+        3, "integrator = \"" + integrator +
+               "\"\ndamping = 2.0\n[region]\nleft = { where = \"X < 0.2\" }\n[[boundary]]\nregion = \"left\"\nvelocity = [0, "
+               "\"x*t\", 0]\n"
+               "[body_force]\nacceleration = [0, 0, -9.81]\n"));
+    run_steps(*simulation, 3);
+    const long before = allocations;
+    run_steps(*simulation, 20);
+    EXPECT_EQ(allocations - before, 0) << integrator;
+  }
 }
 
 /// Bodies at rest that touch, on a wall, of metal with damage, with viscosity: no list is made anew, and nothing else allocates.

@@ -40,7 +40,7 @@ void check_path(double jitter) {
     displace<D>(cloud.particles, path<D>(step), 0.0);
     const Response<Mat3<double>> expected = metal().respond(embed(path<D>(step), 1.0), history, 0.0);
     solid.internal_forces(
-        cloud.particles, forces, 0.0, [](int, int) {}, &recorded);
+        cloud.particles, forces, {0.0, HistoryUse::advance}, [](int, int) {}, &recorded);
     if (step % 4 == 0) solid.record(cloud.particles, recorded);  // changes nothing
     double worst = 0.0, strain = 0.0;
     for (int slot : cloud.particles.slot_of) {

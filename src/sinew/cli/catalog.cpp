@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <sinew/model/boundary_keys.hpp>
 #include <sinew/model/field_names.hpp>
+#include <sinew/time/registry.hpp>
 
 namespace sinew {
 
@@ -28,15 +29,6 @@ CatalogKind formulations() {
           {{"total_lagrangian",
             "Kernel and neighbors in the reference configuration; conserves momenta by construction.",
             "Ganzenmueller (2015); Ren et al. (2020)",
-            {}}}};
-}
-
-CatalogKind integrators() {
-  return {"integrators",
-          "[solver] integrator = \"NAME\"",
-          {{"velocity_verlet",
-            "Explicit, second order, symplectic for a fixed step; the step follows the wave speeds.",
-            "Swope et al. (1982)",
             {}}}};
 }
 
@@ -88,7 +80,7 @@ const std::vector<CatalogKind>& catalog() {
       kind_of<Corrections>("corrections", "[formulation] correction = \"NAME\""),
       kind_of<Stabilizations>("stabilizations", "[formulation] stabilization = [ { model = \"NAME\" } ]"),
       formulations(),
-      integrators(),
+      kind_of<Integrators>("integrators", "[solver] integrator = \"NAME\""),
       boundaries(),
       kind_of<ContactLaws>("contacts", "[[contact]] model = \"NAME\""),
       kind_of<WallShapes>("walls", "[[wall]] geometry = { shape = \"NAME\" }"),

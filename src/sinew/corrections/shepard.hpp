@@ -10,7 +10,7 @@ struct ShepardCorrection {
   static constexpr std::string_view name = "shepard";
   static constexpr std::string_view summary = "The gradient of the normalized kernel: exact for constants, without differences";
   static constexpr std::string_view source = "Shepard (1968); Bonet & Kulasegaram (2000)";
-  static constexpr bool radial = false;
+  static constexpr bool radial = false, higher_moments = false;
   static void describe(auto&&, auto&) {}
 
   template <int D>
@@ -18,7 +18,7 @@ struct ShepardCorrection {
     GradientMap<D> map;
     map.valid = moments.shepard_sum > 0.0;
     if (!map.valid) return map;
-    map.scale = 1.0 / moments.shepard_sum;
+    map.scale = map.kernel_scale = 1.0 / moments.shepard_sum;
     map.shift = (map.scale * map.scale) * moments.gradient_sum;
     return map;
   }

@@ -61,7 +61,7 @@ void damage_slice(const void* pointer, const Mat<Pack, D>& plane, const SliceHis
   const Pack root = history.load(0), before = root * root * root;
   Pack now = before;
   DissipatedPart part{history.load(1), history.load(2)};
-  if (slice.step.keep) {
+  if (slice.step.keep()) {
     Pack remembered(0.0);
     if constexpr (Model::numbers > 0) remembered = history.load(damage_numbers);
     const DamagePoint<M> point{F, P, out.plastic.strain, out.plastic.increment, out.plastic.temperature, slice.step.dt};
@@ -73,7 +73,7 @@ void damage_slice(const void* pointer, const Mat<Pack, D>& plane, const SliceHis
     if constexpr (Model::numbers > 0) history.store(damage_numbers, remembered);
   }
   weaken(F, P, before, now, part, out);
-  if (slice.step.keep) history.store(1, part.work), history.store(2, part.not_flowed);
+  if (slice.step.keep()) history.store(1, part.work), history.store(2, part.not_flowed);
 }
 
 }  // namespace

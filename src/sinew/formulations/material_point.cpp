@@ -74,11 +74,11 @@ void respond_with_history(const void* pointer, const Mat<Pack, D>& plane, const 
   for_each_number(history, *slice,
                   [&](Pack& number, const double* values) { number = slice->slots.load(values, slice->block.first); });
   const Pack modulus = material.hourglass_modulus(history), strain = history.strain, work = history.work;
-  const Response<M> r = slice->step.keep ? material.respond(F, history, slice->step.dt) : material.recall(F, history);
+  const Response<M> r = slice->step.respond() ? material.respond(F, history, slice->step.dt) : material.recall(F, history);
   put(F, r, material.acoustic_stiffness(F, r.P), modulus, out);
   out.hourglass_left = material.hourglass_modulus(history) / modulus;
   out.plastic = {history.strain, history.work, material.temperature(history), history.strain - strain, history.work - work};
-  if (slice->step.keep)
+  if (slice->step.keep())
     for_each_number(history, *slice,
                     [&](const Pack& number, double* values) { slice->slots.store(number, values, slice->block.first); });
 }

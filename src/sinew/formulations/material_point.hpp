@@ -45,10 +45,15 @@ struct HistorySlots {
   int count = 0, first = 0;
 };
 
-/// How far time has gone since the histories, and whether they are to become those of the new state. If not, they belong to it already.
+/// What a sweep does with histories: they belong to the state already; or to an earlier one, from which materials go on to the state, and the new ones are kept or not.
+enum class HistoryUse { recall, respond, advance };
+
+/// How far time has gone since the histories, and what to do with them.
 struct PointStep {
   double dt = 0.0;
-  bool keep = false;
+  HistoryUse use = HistoryUse::recall;
+  bool keep() const { return use == HistoryUse::advance; }
+  bool respond() const { return use != HistoryUse::recall; }
 };
 
 template <int D>

@@ -5,6 +5,20 @@
 
 namespace sinew {
 
+template <int D>
+Vec<double, D> lane_of(const Vec<Pack, D>& v, int k) {
+  Vec<double, D> lane;
+  for (int i = 0; i < D; ++i) lane[i] = v[i][k];
+  return lane;
+}
+template <int D>
+Mat<double, D> lane_of(const Mat<Pack, D>& m, int k) {
+  Mat<double, D> lane;
+  for (int i = 0; i < D; ++i)
+    for (int j = 0; j < D; ++j) lane[i][j] = m[i][j][k];
+  return lane;
+}
+
 /// Everything that the neighbors of eight particles say about them.
 template <int D>
 struct NeighborSums {
@@ -13,14 +27,47 @@ struct NeighborSums {
   Mat<Pack, D> moment;      ///< sum V_j a_ij X_ij (x) X_ij [1]
   Pack hourglass{0.0};      ///< sum of the hourglass weights before their scale [1/length^2]
   Pack nearest2{infinity};  ///< squared distance of the nearest neighbor [length^2]
+  // for corrections that ask for them, see Moments
+  Vec<Pack, D> kernel_first;
+  Mat<Pack, D> kernel_second, second[D];
 
+  void add_higher(const Vec<Pack, D>& X, const Pack& VW, const Pack& Va) {
+    kernel_first += VW * X;
+    kernel_second += outer(VW * X, X);
+    for (int g = 0; g < D; ++g) second[g] += outer((Va * X[g]) * X, X);
+  }
   Moments<D> lane(int k) const {
-    Moments<D> m{shepard[k], {}, {}};
-    for (int i = 0; i < D; ++i) {
-      m.gradient_sum[i] = gradient[i][k];
-      for (int j = 0; j < D; ++j) m.first[i][j] = moment[i][j][k];
-    }
+    Moments<D> m;
+    m.shepard_sum = shepard[k];
+    m.gradient_sum = lane_of(gradient, k);
+    m.first = lane_of(moment, k);
+    m.kernel_first = lane_of(kernel_first, k);
+    m.kernel_second = lane_of(kernel_second, k);
+    for (int g = 0; g < D; ++g) m.second[g] = lane_of(second[g], k);
     return m;
+  }
+};
+
+/// GradientMap of eight particles.
+template <int D>
+struct GradientMaps {
+  Mat<Pack, D> L, bend;
+  Vec<Pack, D> shift, tilt;
+  Pack scale{0.0};
+
+  void set(int k, const GradientMap<D>& map) {
+    scale.set(k, map.scale);
+    for (int i = 0; i < D; ++i) {
+      shift[i].set(k, map.shift[i]);
+      tilt[i].set(k, map.tilt[i]);
+      for (int j = 0; j < D; ++j) {
+        L[i][j].set(k, map.L[i][j]);
+        bend[i][j].set(k, map.bend[i][j]);
+      }
+    }
+  }
+  Vec<Pack, D> apply(const Pack& a, const Pack& W, const Vec<Pack, D>& X) const {
+    return ((scale + dot(tilt, X)) * a) * (L * X) - W * (shift + bend * X);
   }
 };
 
@@ -59,35 +106,24 @@ class SliceWeights {
   unsigned fill(int slice, const SliceVolumes& volumes, double least_roundness = 0.0) {
     const NeighborSums<D> sums = sum_neighbors(slice, volumes);
     unsigned bad = 0;
-    Vec<Pack, D> shift;
-    Pack scale(0.0);
-    Mat<Pack, D> L;
+    GradientMaps<D> maps;
     for (int k = lanes - 1; k >= 0; --k) {
       if (volumes[k] == 0.0) continue;
       const GradientMap<D> map = correction_.map(sums.lane(k));
       if (!map.valid || roundness(sums.lane(k).first) < least_roundness) bad |= 1U << k;
-      scale.set(k, map.scale);
-      for (int i = 0; i < D; ++i) {
-        shift[i].set(k, map.shift[i]);
-        for (int j = 0; j < D; ++j) L[i][j].set(k, map.L[i][j]);
-      }
+      maps.set(k, map);
       finish(slice, k, volumes[k], sums);
     }
     if constexpr (Correction::radial)
-      store(L, slice);
+      store(maps.L, slice);
     else
-      store_vectors(slice, L, scale, shift);
+      store_vectors(slice, maps);
     return bad;
   }
   /// Largest sum of the hourglass weights of one of the particles [1/length^2].
   double most_stiffness() const { return most_stiffness_; }
 
  private:
-  static double roundness(const Mat<double, D>& moment) {
-    double isotropic = 1.0;
-    for (int i = 0; i < D; ++i) isotropic *= trace(moment) / D;
-    return isotropic > 0.0 ? determinant(moment) / isotropic : 0.0;
-  }
   /// use(entry, X_ij, V_j, R_i) for all neighbors; X = 0 where a particle has fewer than the others. `entry`: of the list, if there is one.
   template <class Use>
   void for_each_neighbor(int slice, Use&& use) const {
@@ -143,6 +179,7 @@ class SliceWeights {
       sums.nearest2 = min(sums.nearest2, select(r2 > Pack(0.0), r2, Pack(infinity)));
       if constexpr (!Correction::radial)
         sums.shepard += select(r2 > Pack(0.0), V * Kernel::template value<D>(sqrt(r2), R), Pack(0.0));
+      if constexpr (Correction::higher_moments) sums.add_higher(X, V * Kernel::template value<D>(sqrt(r2), R), w.gradient);
     });
     return sums;
   }
@@ -162,14 +199,14 @@ class SliceWeights {
     put(w_.single_pairs.hourglass, w.hourglass);
   }
 
-  /// g_ij = L (scale a_ij X_ij) - W_ij shift, times V_j; and the hourglass weights.
-  void store_vectors(int slice, const Mat<Pack, D>& L, const Pack& scale, const Vec<Pack, D>& shift) {
+  /// V_j g_ij, and the hourglass weights.
+  void store_vectors(int slice, const GradientMaps<D>& maps) {
     store(Mat<Pack, D>::identity(), slice);
     for_each_neighbor(slice, [&](std::size_t entry, const Vec<Pack, D>& X, const Pack& V, const Pack& R) {
       const RadialWeight<Pack, true> w = radial_weight<Kernel, true>(X, V, R);
       const Pack r2 = dot(X, X);
       const Pack VW = select(r2 > Pack(0.0), V * Kernel::template value<D>(sqrt(r2), R), Pack(0.0));
-      const Vec<Pack, D> g = (scale * w.gradient) * (L * X) - VW * shift;
+      const Vec<Pack, D> g = maps.apply(w.gradient, VW, X);
       for (int c = 0; c < D; ++c) g[c].store(w_.pairs.gradient.data() + lanes * (D * entry + c));
       if (!options_.hourglass_weights()) return;
       const Pack weight = options_.hourglass == HourglassWeight::central ? w.hourglass : w.gradient;

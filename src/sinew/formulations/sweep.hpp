@@ -99,6 +99,24 @@ SINEW_INLINE void count_dissipation(const SweepTask<D>& task, const PointRespons
   sums.released += hourglass_energy - left * hourglass_energy;
 }
 
+/// Density times the squared rate with which a wave passes a particle. For the limit by stretches each particle counts its own speed over the distance of its neighbors:
+/// never more time than with the mean speed of both ends.
+template <int D, class Pairs>
+SINEW_INLINE Pack stiffness_rate(const SweepTask<D>& task, const SliceConstants<D>& constants, const Pairs& pairs,
+                                 const SliceInWork<D>& slice) {
+  if (task.wave_speed == WaveSpeed::bound) return slice.point.acoustic_stiffness * constants.inverse_length2;
+  if (task.wave_speed == WaveSpeed::reference) return Pack(task.stiffness) * constants.inverse_length2;
+  Pack nearest2(infinity);
+  pairs.visit([&](const auto& weight, const Vec<Pack, D>& u, const Vec<Pack, D>& X) {
+    const Vec<Pack, D> x = X + u;
+    nearest2 = min(nearest2, select(weight.present() & (dot(X, X) > Pack(0.0)), dot(x, x), Pack(infinity)));
+  });
+  const Mat3<Pack> F = embed(slice.F, slice.point.thickness_stretch);
+  const Vec3<Pack> squares = spectrum(transpose(F) * F).values;
+  const Pack least = min(squares[0], min(squares[1], squares[2]));
+  return Pack(task.stiffness) / (least * nearest2);
+}
+
 /// Forces of eight particles and their pairs, once the material has answered.
 template <int D, class Shares, class Pairs>
 SINEW_INLINE void give_forces(const SweepTask<D>& task, const SliceConstants<D>& constants, Pairs& pairs,
@@ -107,7 +125,7 @@ SINEW_INLINE void give_forces(const SweepTask<D>& task, const SliceConstants<D>&
   const Pack volume = constants.volume * task.thickness;
   sums.energy += volume * point.energy;
   sums.jacobian = min(sums.jacobian, point.jacobian);
-  Pack rate = point.acoustic_stiffness * constants.inverse_length2;
+  Pack rate = stiffness_rate(task, constants, pairs, slice);
   if (task.viscosity) rate += task.density * give_viscous_forces(task, constants, pairs, slice, slice_number, sums);
   sums.stiffness_rate = max(sums.stiffness_rate, rate);
 

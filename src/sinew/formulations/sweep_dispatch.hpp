@@ -19,6 +19,8 @@ struct SweepTask {
   double fixed_modulus;                  ///< of the hourglass stiffness; 0: what the material says
   const ArtificialViscosity* viscosity;  ///< nullptr: none
   double sound_speed;                    ///< for it: sqrt(E / rho)
+  WaveSpeed wave_speed;
+  double stiffness;  ///< lambda + 2 mu, for it
   BlockScratch<D>& scratch;
   HistorySlots history;
   PointStep step;

@@ -29,16 +29,6 @@ std::vector<int> history_numbers(const TotalLagrangianOptions& options) {
 
 }  // namespace
 
-bool TotalLagrangianOptions::separates() const {
-  for (std::size_t body = 0; body < damages.size(); ++body)
-    if (separates(body)) return true;
-  return false;
-}
-
-bool may_use_lattice(const TotalLagrangianOptions& options) {
-  return options.lattice && !options.separates() && std::visit([](const auto& c) { return c.radial; }, options.correction);
-}
-
 template <int D>
 TotalLagrangian<D>::TotalLagrangian(const Particles<D>& particles, const std::vector<double>& support_radius,
                                     TotalLagrangianOptions options)
@@ -135,6 +125,8 @@ SweepTask<D> TotalLagrangian<D>::task_of(int index, const PairSource<D>& source,
           soft ? 0.0 : youngs_modulus_of(material),
           options_.viscosity ? &*options_.viscosity : nullptr,
           std::sqrt(youngs_modulus_of(material) / density_of(material)),
+          options_.wave_speed,
+          std::visit([](const auto& m) { return m.elastic.lambda() + 2.0 * m.elastic.mu(); }, material),
           scratch,
           history_.of(index),
           step,
@@ -181,7 +173,7 @@ void TotalLagrangian<D>::sweep_blocks(Particles<D>& particles, Work&& work, bool
 }
 
 template <int D>
-ForceSummary TotalLagrangian<D>::internal_forces(Particles<D>& particles, VectorField<D>& forces, double dt, Finish finish,
+ForceSummary TotalLagrangian<D>::internal_forces(Particles<D>& particles, VectorField<D>& forces, PointStep step, Finish finish,
                                                  RecordedState* record) {
   const PairSource<D> source{particles, pairs_};
   const WeightOptions weights = weight_options();
@@ -190,7 +182,7 @@ ForceSummary TotalLagrangian<D>::internal_forces(Particles<D>& particles, Vector
     finish(pairs_.blocks.all[index].begin, pairs_.blocks.all[index].end);
   };
   const auto work = [&](int index) {
-    const SweepTask<D> task = task_of(index, source, weights, {dt, true}, record);
+    const SweepTask<D> task = task_of(index, source, weights, step, record);
     summaries_[index] = sweep_block<D>(task);
     task.scratch.hand_out(task.block, forces, spilled_);
     countdown_.done(index, complete);

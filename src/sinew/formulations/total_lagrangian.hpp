@@ -45,6 +45,14 @@ struct RecordedState {
   explicit RecordedState(int slots) : deformation_gradient(slots), stress(slots), energy_density(slots) {}
 };
 
+/// Which wave limits the time step, and across which distance.
+enum class WaveSpeed {
+  bound,  ///< bound for the current stiffness, in the reference frame; the smaller of V^(1/D) and the reference distance of the nearest neighbor
+  stretch,  ///< sqrt((lambda + 2 mu) / rho_0) over the smallest principal stretch; current distance of the nearest neighbor. Wiragunarsa et al. (2024), eq. 31-32
+  reference  ///< sqrt((lambda + 2 mu) / rho_0); distance as for bound
+};
+std::string_view name_of(WaveSpeed speed);
+
 struct TotalLagrangianOptions {
   AnyKernel kernel;
   AnyCorrection correction;
@@ -56,6 +64,7 @@ struct TotalLagrangianOptions {
   bool lattice = true;  ///< look for regular arrangements
   std::optional<ArtificialViscosity> viscosity{};
   std::vector<std::optional<AnyDamage>> damages{};  ///< one a body, or empty: none
+  WaveSpeed wave_speed = WaveSpeed::bound;
 
   /// nullptr: none.
   const AnyDamage* damage_of(std::size_t body) const {
@@ -97,12 +106,12 @@ class TotalLagrangian {
 
   /// Called with slots [begin, end) whose forces are complete, as soon as they are, from any thread.
   using Finish = FunctionRef<void(int begin, int end)>;
-  /// Adds the pair forces of the current displacements to `forces`, and takes the histories of the materials with it, over the time `dt`. With
+  /// Adds the pair forces of the current displacements to `forces`; the materials go on from their histories as `step` says. With
   /// `record` it keeps F, P and energies of every particle besides.
-  ForceSummary internal_forces(Particles<D>& particles, VectorField<D>& forces, double dt, Finish finish,
+  ForceSummary internal_forces(Particles<D>& particles, VectorField<D>& forces, PointStep step, Finish finish,
                                RecordedState* record = nullptr);
   ForceSummary internal_forces(Particles<D>& particles, VectorField<D>& forces) {
-    return internal_forces(particles, forces, 0.0, [](int, int) {});
+    return internal_forces(particles, forces, {0.0, HistoryUse::advance}, [](int, int) {});
   }
   /// The same sweep for what it keeps alone; histories stay.
   ForceSummary record(Particles<D>& particles, RecordedState& state);

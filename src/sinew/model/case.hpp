@@ -143,6 +143,7 @@ struct SolverCase {
   std::string mode = "explicit";
   std::string integrator = "velocity_verlet";
   double cfl = 0.3;
+  std::string wave_speed = "bound";
   double end_time = std::numeric_limits<double>::infinity();  ///< infinity if only max_steps ends the run
   std::optional<long> max_steps;
   std::optional<double> time_step;  ///< fixed step instead of the adaptive one
@@ -154,8 +155,14 @@ struct SolverCase {
   static void describe(auto&& field, auto& m) {
     constexpr Range courant{0.0, 1.0, true, false, "greater than 0 and at most 1"};
     field("mode", m.mode, no_unit, "How the equations are solved.", optional, OneOf{{"explicit"}});
-    field("integrator", m.integrator, no_unit, "Time integration.", optional, OneOf{{"velocity_verlet"}});
+    field("integrator", m.integrator, no_unit, "Time integration.", optional, OneOf{{"velocity_verlet", "rk3"}});
     field("cfl", m.cfl, no_unit, "Time step over the time that a wave takes across a particle.", courant, optional);
+    field("wave_speed", m.wave_speed, no_unit,
+          "That wave: bound, of the current stiffness, across the reference distance of the nearest neighbor, never too slow; "
+          "stretch, of the "
+          "reference "
+          "stiffness over the smallest principal stretch, across its current distance; reference, as at rest.",
+          optional, OneOf{{"bound", "stretch", "reference"}});
     field("end_time", m.end_time, "s", "Time at which the run ends; needed unless max_steps is given.", positive, optional);
     field("max_steps", m.max_steps, no_unit, "Number of steps after which the run ends.", at_least_one, optional);
     field("time_step", m.time_step, "s", "A fixed time step instead of the one from cfl.", positive, optional);

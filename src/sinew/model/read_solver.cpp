@@ -29,6 +29,9 @@ void read_solver_and_output(CaseReader& reader) {
   define_end_time(reader, table);
   Node resolved = read_described(solver, table, "[solver]", reader.reading);
   if (!std::isfinite(solver.end_time) && !solver.max_steps) throw CaseError(table.place, no_end);
+  if (solver.integrator == "rk3" && (reader.root.find("contact") || reader.root.find("wall")))
+    throw CaseError(table.find("integrator")->place,
+                    "[solver]: integrator \"rk3\" knows no contact and no walls; use \"velocity_verlet\"");
   add_resolved(reader, "solver", std::move(resolved));
 
   const Node output_table = section_table(reader, "output");

@@ -1,3 +1,4 @@
+#include <sinew/model/solid_options.hpp>
 #include <sinew/model/solid_simulation.hpp>
 #include <sinew/time/velocity_verlet.hpp>
 
@@ -9,33 +10,6 @@
 namespace sinew {
 
 namespace {
-
-WeightStorage weight_storage(const std::string& name) {
-  for (WeightStorage storage : {WeightStorage::stored, WeightStorage::single, WeightStorage::computed})
-    if (name == name_of(storage)) return storage;
-  return WeightStorage::automatic;
-}
-
-TotalLagrangianOptions options_of(const Case& c) {
-  TotalLagrangianOptions options{
-      .kernel = c.formulation.kernel, .correction = c.formulation.correction, .hourglass = {}, .materials = {}};
-  options.plane_stress = c.general.plane == PlaneState::stress;
-  options.thickness = c.general.thickness;
-  for (const AnyStabilization& s : c.formulation.stabilizations)
-    if (const auto* hourglass = std::get_if<HourglassStiffness>(&s)) {
-      if (hourglass->alpha > 0.0) options.hourglass = *hourglass;
-    } else {
-      options.viscosity = std::get<ArtificialViscosity>(s);
-    }
-  for (const BodyCase& body : c.bodies) {
-    options.materials.push_back(body.material);
-    options.damages.push_back(body.damage);
-  }
-  options.weights = weight_storage(c.solver.pair_weights);
-  options.lattice = c.solver.lattice == "auto";
-  if (c.general.dimension == 3) options.plane_stress = false, options.thickness = 1.0;
-  return options;
-}
 
 std::vector<GeneratedBody> bodies_of(const Case& c, const Comm& comm) {
   std::vector<GeneratedBody> bodies;
@@ -52,7 +26,7 @@ SolidSimulation<D>::SolidSimulation(const Case& c, const Comm& comm)
 template <int D>
 SolidSimulation<D>::SolidSimulation(const Case& c, const Comm& comm, const std::vector<GeneratedBody>& bodies,
                                     const Stopwatch& watch)
-    : SolidSimulation(c, comm, bodies, set_up<D>(c, bodies, options_of(c), comm), watch) {}
+    : SolidSimulation(c, comm, bodies, set_up<D>(c, bodies, total_lagrangian_options(c), comm), watch) {}
 
 template <int D>
 SolidSimulation<D>::SolidSimulation(const Case& c, const Comm& comm, const std::vector<GeneratedBody>& bodies,
@@ -61,7 +35,7 @@ SolidSimulation<D>::SolidSimulation(const Case& c, const Comm& comm, const std::
       comm_(comm),
       particles_(std::move(setup.particles)),
       regions_(std::move(setup.regions)),
-      solid_(particles_, std::move(setup.pairs), setup.support_radius, options_of(c), comm, std::move(setup.halo)),
+      solid_(particles_, std::move(setup.pairs), setup.support_radius, total_lagrangian_options(c), comm, std::move(setup.halo)),
       forces_(particles_.slots),
       motion_(make_prescribed_motion(c, regions_, particles_, comm, facts_.warnings)),
       loads_(make_loads(c, regions_, particles_, solid_, comm, facts_.warnings)),
@@ -72,6 +46,7 @@ SolidSimulation<D>::SolidSimulation(const Case& c, const Comm& comm, const std::
       order_(comm, particles_.user_index),
       dissipated_(particles_.blocks.size(), 0.0),
       dissipation_rate_(particles_.blocks.size(), 0.0) {
+  if (c.solver.integrator == RungeKutta3::name) stages_.emplace(particles_.slots);
   wants_hourglass_error_ = probes_.need_hourglass_error();
   set_initial_state(c, regions_, comm, particles_);
   start();
@@ -85,9 +60,16 @@ void SolidSimulation<D>::start() {
   guard([&] { motion_.move(particles_, 0.0, 0.0); });
   update_forces(0.0);
   check_initial_contacts(case_, contacts_, particles_, comm_);
+  first_time_step_ = stable_time_step();
+  check_initial_state();
+  comm_.together([&] { motion_.begin(particles_, first_time_step_, case_.solver.damping); });
+  if (case_.solver.damping > 0.0) count_dissipation(0.0);
   initial_energy_ = energies().total() + energies().dissipated;
   initial_gravity_work_ = totals().gravity_work;
-  first_time_step_ = stable_time_step();
+}
+
+template <int D>
+void SolidSimulation<D>::check_initial_state() const {
   comm_.together([&] {
     if (!std::isfinite(first_time_step_))
       throw CaseError("nothing limits the time step: all bodies are rigid. Give [solver] time_step.");
@@ -107,13 +89,37 @@ void SolidSimulation<D>::step(double most) {
   motion_.remember(particles_);
   loads_.remember(particles_);
   timer_.mark("boundary");
-  kick_and_drift(particles_, dt, case_.solver.damping);
-  timer_.mark("drift");
-  guard([&] { motion_.move(particles_, time_, dt); });
+  if (stages_) {
+    advance_in_stages(dt);
+  } else {
+    kick_and_drift(particles_, dt, case_.solver.damping);
+    timer_.mark("drift");
+    guard([&] { motion_.move(particles_, time_, dt); });
+  }
   time_ += dt;
   ++steps_;
   update_forces(dt);
   check_state();
+}
+
+/// All stages of a step, each with new forces but for the last, of which they belong to the new state. Histories stay those of the beginning.
+template <int D>
+void SolidSimulation<D>::advance_in_stages(double dt) {
+  const double damping = case_.solver.damping;
+  stages_->begin(particles_);
+  for (const RungeKutta3::Stage& stage : RungeKutta3::stage) {
+    const double when = time_ + stage.when * dt;
+    stages_->advance(particles_, stage, dt, damping);
+    timer_.mark("drift");
+    guard([&] { motion_.impose(particles_, when, dt); });
+    timer_.mark("boundary");
+    if (&stage == &RungeKutta3::stage[RungeKutta3::stages - 1]) return;
+    guard([&] { loads_.add(particles_, when, forces_); });
+    timer_.mark("boundary");
+    solid_.internal_forces(particles_, forces_, {stage.when * dt, HistoryUse::respond},
+                           AccelerateAndKick<D>{particles_, forces_, gravity_, 0.0, 0.0});
+    timer_.mark("forces and kick");
+  }
 }
 
 template <int D>
@@ -123,8 +129,8 @@ void SolidSimulation<D>::update_forces(double dt) {
   guard([&] { contacts_.push(particles_, time_, dt, forces_); });
   timer_.mark("contact");
   RecordedState* const recorded = std::exchange(record_expected_, false) ? &room_for_record() : nullptr;
-  summary_ = solid_.internal_forces(particles_, forces_, dt,
-                                    AccelerateAndKick<D>{particles_, forces_, gravity_, dt, case_.solver.damping}, recorded);
+  const AccelerateAndKick<D> kick{particles_, forces_, gravity_, stages_ ? 0.0 : dt, stages_ ? 0.0 : case_.solver.damping};
+  summary_ = solid_.internal_forces(particles_, forces_, {dt, HistoryUse::advance}, kick, recorded);
   if (recorded) recorded_step_ = steps_;
   timer_.mark("forces and kick");
   if (solid_.options().separates() && solid_.separate(particles_)) mind_cracks();

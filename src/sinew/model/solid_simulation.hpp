@@ -3,6 +3,7 @@
 
 #include <exception>
 #include <limits>
+#include <optional>
 #include <sinew/core/timer.hpp>
 #include <sinew/model/conditions.hpp>
 #include <sinew/model/contacts.hpp>
@@ -11,6 +12,7 @@
 #include <sinew/model/solid_setup.hpp>
 #include <sinew/model/totals.hpp>
 #include <sinew/parallel/user_order.hpp>
+#include <sinew/time/runge_kutta.hpp>
 #include <sinew/time/step_size.hpp>
 
 namespace sinew {
@@ -52,6 +54,8 @@ class SolidSimulation final : public Simulation {
   SolidSimulation(const Case& c, const Comm& comm, const std::vector<GeneratedBody>& bodies, SolidSetup<D> setup,
                   const Stopwatch& watch);
   void start();
+  void check_initial_state() const;
+  void advance_in_stages(double dt);
   void update_forces(double dt);
   void mind_cracks();
   void count_dissipation(double dt);
@@ -87,6 +91,7 @@ class SolidSimulation final : public Simulation {
   Vec<double, D> gravity_;  ///< body force that is the same everywhere and always [length/time^2]
   Probes<D> probes_;
   StepSize step_size_;
+  std::optional<RungeKuttaStep<D>> stages_;  ///< nothing: velocity Verlet
   UserOrder order_;
   PassTimer timer_{"drift", "boundary", "contact", "forces and kick", "separation", "time step"};
 

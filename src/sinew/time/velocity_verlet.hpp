@@ -13,8 +13,9 @@ namespace sinew {
 
 struct VelocityVerlet {
   static constexpr std::string_view name = "velocity_verlet";
-  static constexpr std::string_view summary = "Leapfrog in kick-drift-kick form, second order, conserves energy";
-  static constexpr std::string_view source = "Ganzenmueller (2015), sec. 4; Verlet (1967)";
+  static constexpr std::string_view summary = "Leapfrog in kick-drift-kick form: second order, symplectic for a fixed step";
+  static constexpr std::string_view source = "Swope et al. (1982); Ganzenmueller (2015), sec. 4";
+  static void describe(auto&&, auto&) {}
 };
 
 template <int D>

@@ -52,8 +52,8 @@ TEST(Docs, SayWhatTheDescriptionSays) {
   EXPECT_EQ(solver[2].range, "greater than 0 and at most 1");
   EXPECT_EQ(solver[2].default_text, "0.3");
   EXPECT_FALSE(solver[2].required);
-  EXPECT_EQ(solver[3].unit, "s");
-  EXPECT_EQ(solver[3].default_text, "");
+  EXPECT_EQ(solver[4].unit, "s");
+  EXPECT_EQ(solver[4].default_text, "");
   const std::vector<ParameterDoc> hourglass = parameter_docs<HourglassStiffness>();
   EXPECT_EQ(hourglass[1].range, "conservative, half, printed");
   EXPECT_EQ(hourglass[1].default_text, "\"conservative\"");

@@ -47,6 +47,9 @@ struct Cloud {
     for (std::size_t j = 1; j < X.size(); ++j) {
       m.gradient_sum += (V[j] * a(j)) * X[j];
       m.first += (V[j] * a(j)) * outer(X[j], X[j]);
+      m.kernel_first += (V[j] * W({}, j)) * X[j];
+      m.kernel_second += (V[j] * W({}, j)) * outer(X[j], X[j]);
+      for (int g = 0; g < D; ++g) m.second[g] += (V[j] * a(j) * X[j][g]) * outer(X[j], X[j]);
     }
     return m;
   }
@@ -80,14 +83,73 @@ TEST(Corrections, NoneLeavesTheKernelGradient) {
   for (int i = 0; i < 3; ++i) EXPECT_EQ(g[i], 2.0 * X[i]);
 }
 
-TEST(Corrections, GradientIsExactForLinearFields) {
+/// Of every correction that says so: gradient, mixed, linear.
+template <class Correction>
+void check_linear_fields() {
   for_plane_and_space([]<int D>(bool corner) {
     const Cloud<D> cloud(corner);
     const auto product = [&](std::size_t j, const Vec<double, D>& g) { return outer(cloud.X[j], g); };
-    const GradientMap<D> map = GradientCorrection{}.map(cloud.moments());
+    const GradientMap<D> map = Correction{}.map(cloud.moments());
     ASSERT_TRUE(map.valid);
-    EXPECT_LT(distance_to_identity(cloud.sum_over_neighbors(map, product)), 1e-13);
+    EXPECT_LT(distance_to_identity(cloud.sum_over_neighbors(map, product)), 1e-12) << Correction::name;
     EXPECT_GT(distance_to_identity(cloud.sum_over_neighbors(NoCorrection{}.map(cloud.moments()), product)), 1e-2);
+  });
+}
+TEST(Corrections, AreExactForLinearFields) {
+  check_linear_fields<GradientCorrection>();
+  check_linear_fields<MixedCorrection>();
+  check_linear_fields<LinearCorrection>();
+}
+
+/// sum V W1 = 1 for all, sum V W1 X = 0 for the linear one.
+TEST(Corrections, KernelsAreAPartitionOfUnity) {
+  Corrections::for_each([]<class Correction>() {
+    for_plane_and_space([]<int D>(bool corner) {
+      const Cloud<D> cloud(corner);
+      const GradientMap<D> map = Correction{}.map(cloud.moments());
+      double sum = 0.0;
+      Vec<double, D> moment;
+      for (std::size_t j = 0; j < cloud.X.size(); ++j) {
+        sum += cloud.V[j] * map.kernel(cloud.W({}, j), cloud.X[j]);
+        moment += (cloud.V[j] * map.kernel(cloud.W({}, j), cloud.X[j])) * cloud.X[j];
+      }
+      EXPECT_NEAR(sum, 1.0, 1e-13) << Correction::name;
+      if (Correction::name == LinearCorrection::name) {
+        EXPECT_LT(norm(moment), 1e-13);
+      } else if (corner) {
+        EXPECT_GT(norm(moment), 1e-3);
+      }
+    });
+  });
+}
+
+/// The corrected kernel at a place x in the cloud, with sums made there anew.
+template <int D>
+double linear_kernel(const Cloud<D>& cloud, const Vec<double, D>& x, std::size_t j) {
+  Moments<D> m;
+  for (std::size_t k = 0; k < cloud.X.size(); ++k) {
+    const double VW = cloud.V[k] * cloud.W(x, k);
+    m.shepard_sum += VW;
+    m.kernel_first += VW * (cloud.X[k] - x);
+    m.kernel_second += VW * outer(cloud.X[k] - x, cloud.X[k] - x);
+  }
+  return LinearCorrection{}.map(m).kernel(cloud.W(x, j), cloud.X[j] - x);
+}
+
+/// Also of the particle itself: its own gradient is not zero near surfaces.
+TEST(Corrections, LinearIsTheGradientOfItsKernel) {
+  for_plane_and_space([]<int D>(bool corner) {
+    const Cloud<D> cloud(corner);
+    const GradientMap<D> map = LinearCorrection{}.map(cloud.moments());
+    ASSERT_TRUE(map.valid);
+    const double step = 1e-5;
+    for (std::size_t j = 0; j < cloud.X.size(); j += 5)
+      for (int i = 0; i < D; ++i) {
+        Vec<double, D> shift;
+        shift[i] = step;
+        const double expected = (linear_kernel<D>(cloud, shift, j) - linear_kernel<D>(cloud, -shift, j)) / (2.0 * step);
+        EXPECT_NEAR(map.apply(j == 0 ? 0.0 : cloud.a(j), cloud.W({}, j), cloud.X[j])[i], expected, 1e-8);
+      }
   });
 }
 
@@ -112,14 +174,20 @@ TEST(Corrections, ShepardIsTheGradientOfTheNormalizedKernel) {
   });
 }
 
-TEST(Corrections, ShepardWeightsSumToZeroWithTheParticleItself) {
+template <class Correction>
+void check_sum_of_weights() {
   for_plane_and_space([]<int D>(bool corner) {
     const Cloud<D> cloud(corner);
-    const GradientMap<D> map = ShepardCorrection{}.map(cloud.moments());
+    const GradientMap<D> map = Correction{}.map(cloud.moments());
     Vec<double, D> sum = cloud.V[0] * map.apply(0.0, cloud.W({}, 0), {});
     sum += cloud.sum_over_neighbors(map, [](std::size_t, const Vec<double, D>& g) { return g; });
-    EXPECT_LT(norm(sum), 1e-13);
+    EXPECT_LT(norm(sum), 1e-13) << Correction::name;
   });
+}
+TEST(Corrections, WeightsSumToZeroWithTheParticleItself) {
+  check_sum_of_weights<ShepardCorrection>();
+  check_sum_of_weights<MixedCorrection>();
+  check_sum_of_weights<LinearCorrection>();
 }
 
 TEST(Corrections, RadialMeansTheInverseOfTheMoment) {
@@ -131,7 +199,7 @@ TEST(Corrections, RadialMeansTheInverseOfTheMoment) {
         << Correction::name;
     EXPECT_FALSE(Correction::summary.empty() || Correction::source.empty());
   });
-  EXPECT_EQ(Corrections::names(), (std::vector<std::string>{"none", "shepard", "gradient"}));
+  EXPECT_EQ(Corrections::names(), (std::vector<std::string>{"none", "shepard", "gradient", "mixed", "linear"}));
 }
 
 /// Neighbors in one line (in space: in one plane) except for a distance `off` of one of them.
@@ -156,6 +224,8 @@ TEST(Corrections, GradientSaysWhereItIsSingular) {
   EXPECT_TRUE(nearly_flat<3>(0.1).valid);
   EXPECT_FALSE(GradientCorrection{}.map(Moments<2>{}).valid);
   EXPECT_FALSE(ShepardCorrection{}.map(Moments<2>{}).valid);
+  EXPECT_FALSE(MixedCorrection{}.map(Moments<2>{}).valid);
+  EXPECT_FALSE(LinearCorrection{}.map(Moments<2>{}).valid);
   EXPECT_EQ(distance_to_identity(nearly_flat<3>(0.0).L), 0.0);
 }
 

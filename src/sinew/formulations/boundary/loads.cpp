@@ -44,6 +44,12 @@ void Loads<D>::add(const Particles<D>& particles, double t, double dt, VectorFie
 }
 
 template <int D>
+void Loads<D>::add(const Particles<D>& particles, double t, VectorField<D>& forces) {
+  for_each(particles, t,
+           [&](const Applied& applied, const Entry& entry, double force) { forces.at(applied.component, entry.slot) += force; });
+}
+
+template <int D>
 void Loads<D>::restore(const Particles<D>& particles, double t, std::vector<double> work) {
   for_each(particles, t, [](const Applied&, Entry& entry, double force) { entry.force = force; });
   work_ = std::move(work);

@@ -25,6 +25,8 @@ class Loads {
   void remember(const Particles<D>& particles);
   /// Adds the loads of time t to the forces and counts their work since `remember` (not at the start, where `dt` is 0).
   void add(const Particles<D>& particles, double t, double dt, VectorField<D>& forces);
+  /// The same without counting: for the stages of a step.
+  void add(const Particles<D>& particles, double t, VectorField<D>& forces);
   /// Done so far on the particles of each block [energy].
   const std::vector<double>& work() const { return work_; }
   /// Restart at time t: takes over the work; the forces follow from places and time.

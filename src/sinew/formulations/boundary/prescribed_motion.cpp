@@ -15,6 +15,18 @@ Samples sample(const FieldFunction& f, const Particles<D>& particles, int slot, 
   return {f(X, x, t - 0.5 * width), f(X, x, t), f(X, x, t + 0.5 * width)};
 }
 
+/// What a condition asks of a particle, from a time step of length dt; all zero but a given velocity if dt is 0.
+struct Motion {
+  double velocity = 0.0, acceleration = 0.0;
+};
+template <int D>
+Motion motion_of(const MotionCondition& c, const Particles<D>& particles, int slot, double t, double dt) {
+  const Samples s = sample(c.function, particles, slot, t, dt);
+  const double rate = dt > 0.0 ? (s.after - s.before) / dt : 0.0;
+  if (c.kind == MotionCondition::Kind::velocity) return {s.now, rate};
+  return {rate, dt > 0.0 ? 4.0 * (s.after - 2.0 * s.now + s.before) / (dt * dt) : 0.0};
+}
+
 }  // namespace
 
 template <int D>
@@ -52,25 +64,48 @@ void PrescribedMotion<D>::move(Particles<D>& particles, double t, double dt) {
 }
 
 template <int D>
+void PrescribedMotion<D>::begin(Particles<D>& particles, double dt, double damping) {
+  for (Held& held : conditions_)
+    for (Entry& entry : held.entries) {
+      const Motion motion = motion_of(held.condition, particles, entry.slot, 0.0, dt);
+      double& v = particles.velocity.at(held.condition.component, entry.slot);
+      double& a = particles.acceleration.at(held.condition.component, entry.slot);
+      entry.reaction += particles.mass[entry.slot] * (motion.acceleration - a + damping * (motion.velocity - v));
+      v = motion.velocity;
+      a = motion.acceleration;
+    }
+}
+
+template <int D>
+void PrescribedMotion<D>::impose(Particles<D>& particles, double t, double dt) const {
+  for (const Held& held : conditions_) {
+    const MotionCondition& c = held.condition;
+    const bool displacement = c.kind == MotionCondition::Kind::displacement;
+    Samples s;
+    for (std::size_t k = 0; k < held.entries.size(); ++k) {
+      const int slot = held.entries[k].slot;
+      if (k == 0 || c.function.depends_on_place) s = sample(c.function, particles, slot, t, dt);
+      particles.velocity.at(c.component, slot) = displacement ? (s.after - s.before) / dt : s.now;
+      if (displacement) particles.displacement.at(c.component, slot) = s.now;
+    }
+  }
+}
+
+template <int D>
 void PrescribedMotion<D>::hold(Particles<D>& particles, double t, double dt, double damping) {
   for (Held& held : conditions_) {
     const MotionCondition& c = held.condition;
-    Samples s;
+    Motion motion;
     for (std::size_t k = 0; k < held.entries.size(); ++k) {
       Entry& entry = held.entries[k];
-      if (k == 0 || c.function.depends_on_place) s = sample(c.function, particles, entry.slot, t, dt);
-      double velocity = s.now, acceleration = dt > 0.0 ? (s.after - s.before) / dt : 0.0;
-      if (c.kind == MotionCondition::Kind::displacement) {
-        velocity = acceleration;
-        acceleration = dt > 0.0 ? 4.0 * (s.after - 2.0 * s.now + s.before) / (dt * dt) : 0.0;
-      }
+      if (k == 0 || c.function.depends_on_place) motion = motion_of(c, particles, entry.slot, t, dt);
       double& a = particles.acceleration.at(c.component, entry.slot);
-      const double reaction = particles.mass[entry.slot] * (acceleration + damping * velocity - a);
+      const double reaction = particles.mass[entry.slot] * (motion.acceleration + damping * motion.velocity - a);
       work_[entry.block] += 0.5 * (entry.reaction + reaction) *
                             (particles.displacement.at(c.component, entry.slot) - entry.previous_u) * (dt > 0.0);
       entry.reaction = reaction;
-      particles.velocity.at(c.component, entry.slot) = velocity;
-      a = acceleration;
+      particles.velocity.at(c.component, entry.slot) = motion.velocity;
+      a = motion.acceleration;
     }
   }
 }

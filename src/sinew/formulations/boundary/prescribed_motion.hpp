@@ -27,6 +27,10 @@ class PrescribedMotion {
   void remember(const Particles<D>& particles);
   /// Puts the particles where they have to be at t + dt: u = function(t + dt), or u += dt function(t + dt/2).
   void move(Particles<D>& particles, double t, double dt);
+  /// At time 0, once the length of the first step is known: gives the particles the velocity and the acceleration with which they begin, without any work.
+  void begin(Particles<D>& particles, double dt, double damping);
+  /// For the stages of a step of length dt: u = function(t) and its velocity, or v = function(t).
+  void impose(Particles<D>& particles, double t, double dt) const;
   /// Sets velocity and acceleration at time t to the prescribed ones and takes the difference in force as reaction:
   /// R = m (a_prescribed + damping v) - (internal + hourglass + external force). `dt`: length of the step, 0 at the start; `damping`: rate [1/time].
   void hold(Particles<D>& particles, double t, double dt, double damping);

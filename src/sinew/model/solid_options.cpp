@@ -1,0 +1,40 @@
+#include <sinew/model/solid_options.hpp>
+
+#include <string>
+
+namespace sinew {
+
+namespace {
+
+WeightStorage weight_storage(const std::string& name) {
+  for (WeightStorage storage : {WeightStorage::stored, WeightStorage::single, WeightStorage::computed})
+    if (name == name_of(storage)) return storage;
+  return WeightStorage::automatic;
+}
+
+}  // namespace
+
+TotalLagrangianOptions total_lagrangian_options(const Case& c) {
+  TotalLagrangianOptions options{
+      .kernel = c.formulation.kernel, .correction = c.formulation.correction, .hourglass = {}, .materials = {}};
+  options.plane_stress = c.general.plane == PlaneState::stress;
+  options.thickness = c.general.thickness;
+  for (const AnyStabilization& s : c.formulation.stabilizations)
+    if (const auto* hourglass = std::get_if<HourglassStiffness>(&s)) {
+      if (hourglass->alpha > 0.0) options.hourglass = *hourglass;
+    } else {
+      options.viscosity = std::get<ArtificialViscosity>(s);
+    }
+  for (const BodyCase& body : c.bodies) {
+    options.materials.push_back(body.material);
+    options.damages.push_back(body.damage);
+  }
+  options.weights = weight_storage(c.solver.pair_weights);
+  options.lattice = c.solver.lattice == "auto";
+  for (WaveSpeed speed : {WaveSpeed::stretch, WaveSpeed::reference})
+    if (c.solver.wave_speed == name_of(speed)) options.wave_speed = speed;
+  if (c.general.dimension == 3) options.plane_stress = false, options.thickness = 1.0;
+  return options;
+}
+
+}  // namespace sinew

@@ -1,0 +1,11 @@
+#pragma once
+/// From a case to the options of its formulation.
+
+#include <sinew/formulations/total_lagrangian.hpp>
+#include <sinew/model/case.hpp>
+
+namespace sinew {
+
+TotalLagrangianOptions total_lagrangian_options(const Case& c);
+
+}  // namespace sinew
