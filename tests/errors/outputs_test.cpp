@@ -14,7 +14,7 @@ static const std::vector<WrongCase> wrong_outputs{
      "checkpoint_every, fields, precision, picture_field, picture."},
     {"UnknownKeyInProbe", "component =", "componet =",
      "case.toml:37:1: probe \"tip\": unknown key \"componet\". Did you mean \"component\"? Known keys: name, quantity, region, "
-     "reduce, component, wall, expression."},
+     "reduce, exact, component, wall, expression."},
     {"UnknownKeyInExpect", "tolerance =", "tolerence =",
      "case.toml:41:1: expect 1: unknown key \"tolerence\". Did you mean \"tolerance\"? Known keys: quantity, value, tolerance, "
      "absolute, exact, with, why, source, note, tier."},
@@ -61,7 +61,7 @@ static const std::vector<WrongCase> wrong_outputs{
     {"ComponentOfScalar", "\"displacement\"", "\"pressure\"",
      "case.toml:37:13: probe \"tip\": pressure is a scalar and has no component; remove it"},
     {"UnknownReduce", "component = \"z\"", "component = \"z\"\nreduce = \"average\"",
-     "case.toml:38:10: probe \"tip\": reduce: unknown name \"average\". Known names: sum, mean, min, max."},
+     "case.toml:38:10: probe \"tip\": reduce: unknown name \"average\". Known names: sum, mean, rms, min, max."},
     {"MeanOfEnergy", "quantity = \"displacement\"\ncomponent = \"z\"", "quantity = \"energy.total\"\nreduce = \"mean\"",
      "case.toml:37:10: probe \"tip\": energy.total is one number already, so reduce can only be \"sum\""},
     {"ReactionWithoutRegion", "\"displacement\"", "\"reaction_force\"",

@@ -213,19 +213,27 @@ struct OutputCase {
 /// [[probe]]
 struct ProbeCase {
   std::string name;
-  std::string quantity;         ///< a field or a total such as energy.kinetic; empty if `expression` is given
-  std::string region;           ///< key into Case::regions; empty: all particles
-  std::string reduce = "mean";  ///< sum | mean | min | max; totals (energies, momenta, reaction force, time step) always have sum
-  std::string component;        ///< "" for scalars; x y z xx xy ... magnitude
-  std::string expression;       ///< over the names of earlier probes, parameters and t
-  std::string wall;             ///< of wall_force
+  std::string quantity;  ///< a field or a total such as energy.kinetic; empty if `expression` is given
+  std::string region;    ///< key into Case::regions; empty: all particles
+  std::string reduce =
+      "mean";             ///< sum | mean | rms | min | max; totals (energies, momenta, reaction force, time step) always have sum
+  std::string component;  ///< "" for scalars; x y z xx xy ... magnitude
+  std::optional<Expression> exact;
+  std::string expression;  ///< over the names of earlier probes, parameters and t
+  std::string wall;        ///< of wall_force
   Place place;
 
   static void describe(auto&& field, auto& m) {
     field("name", m.name, no_unit, "Name of the column in history.csv.");
     field("quantity", m.quantity, no_unit, "What is followed.", optional, OneOf{probe_quantity_names()});
     field("region", m.region, no_unit, "The particles; by default all.", optional, TypeText{region_type});
-    field("reduce", m.reduce, no_unit, "How many particles become one number.", optional, OneOf{{"sum", "mean", "min", "max"}});
+    field("reduce", m.reduce, no_unit, "How many particles become one number.", optional,
+          OneOf{{"sum", "mean", "rms", "min", "max"}});
+    field("exact", m.exact, no_unit,
+          "Formula in X Y Z x y z t that is taken off the value of each particle; with reduce = \"rms\" (root of the mean square "
+          "over the "
+          "volume) that is the L2 norm of an error.",
+          optional);
     field("component", m.component, no_unit, "x y z magnitude of a vector, xx xy ... of a tensor.", optional);
     field("wall", m.wall, no_unit, "For wall_force: which wall.", optional, TypeText{"name of a wall"});
     field("expression", m.expression, no_unit, "Instead of a quantity: a formula over earlier probes, the parameters and t.",

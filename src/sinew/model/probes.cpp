@@ -42,15 +42,13 @@ template <int D>
 Probes<D>::Probes(const Case& c, const Regions& regions) : units_(c.general.units) {
   std::vector<std::string> variables{"t"};
   for (const ProbeCase& p : c.probes) {
-    Probe probe{p, nullptr, Expression(), 0, -1, {}, 0};
+    Probe probe{p, nullptr, Expression(), 0, -1, {}};
     if (p.expression.empty()) {
       probe.quantity = find_quantity(p.quantity);
       probe.component = component_index(*probe.quantity, p.component);
       for (std::size_t w = 0; w < c.walls.size(); ++w)
         if (c.walls[w].name == p.wall) probe.wall = static_cast<int>(w);
-      const Region& region = regions.at(p.region.empty() ? "all" : p.region);
-      probe.slots = region.slots;
-      probe.particles = region.particles;
+      probe.slots = regions.at(p.region.empty() ? "all" : p.region).slots;
       need_hourglass_error_ = need_hourglass_error_ || p.quantity == "hourglass_error";
       need_record_ = need_record_ || is_of_fragments(p.quantity) || (!probe.quantity->is_total && needs_record(p.quantity));
     } else {
@@ -61,31 +59,46 @@ Probes<D>::Probes(const Case& c, const Regions& regions) : units_(c.general.unit
   }
 }
 
-/// Sums block by block: they do not depend on who has which block.
+/// Calls use(slot, value) for the particles of a probe, in order.
 template <int D>
-double Probes<D>::over_particles(const Probe& probe, const ProbedState<D>& state) const {
+template <class Use>
+void Probes<D>::for_each_value(const Probe& probe, const ProbedState<D>& state, Use&& use) const {
   const ParticleQuantity<D> quantity = particle_quantity<D>(probe.c.quantity);
   const QuantitySource<D> source{state.particles, state.solid, state.record, &state.contacts.forces()};
   constexpr std::size_t together = 128;
   std::array<double, together * ParticleQuantity<D>::most_components> values;
-  std::vector<double> sums(state.particles.blocks.size(), 0.0);
-  double least = infinity, most = -infinity;
-  int block = 0;
   for (std::size_t begin = 0; begin < probe.slots.size(); begin += together) {
     const std::span some = std::span(probe.slots).subspan(begin, std::min(together, probe.slots.size() - begin));
     quantity.values(source, some, {}, values.data());
     for (std::size_t k = 0; k < some.size(); ++k) {
       const double value = component_of(values.data() + k * quantity.components, quantity.components, probe.component);
-      while (some[k] >= state.particles.blocks[block].end) ++block;
-      sums[block] += value;
-      least = std::min(least, value);
-      most = std::max(most, value);
+      const auto& exact = probe.c.exact;
+      use(some[k],
+          exact ? value - (*exact)(state.particles.reference(some[k]), state.particles.current(some[k]), state.time) : value);
     }
   }
+}
+
+/// Sums block by block: they do not depend on who has which block.
+template <int D>
+double Probes<D>::over_particles(const Probe& probe, const ProbedState<D>& state) const {
+  std::vector<double> sums(2 * state.particles.blocks.size(), 0.0);
+  const bool squares = probe.c.reduce == "rms";
+  double least = infinity, most = -infinity;
+  int block = 0;
+  for_each_value(probe, state, [&](int slot, double value) {
+    while (slot >= state.particles.blocks[block].end) ++block;
+    const double weight = squares ? state.particles.volume[slot] : 1.0;
+    sums[2 * block] += squares ? weight * value * value : value;
+    sums[2 * block + 1] += weight;
+    least = std::min(least, value);
+    most = std::max(most, value);
+  });
   if (probe.c.reduce == "min") return -state.comm.maximum(-least) + 0.0;  // one zero, whichever came first
   if (probe.c.reduce == "max") return state.comm.maximum(most) + 0.0;
-  const double sum = sum_over_blocks(state.comm, state.particles.block_numbers(), sums, 1)[0];
-  return probe.c.reduce == "sum" ? sum : sum / static_cast<double>(probe.particles);
+  sums = sum_over_blocks(state.comm, state.particles.block_numbers(), sums, 2);
+  if (squares) return std::sqrt(sums[0] / sums[1]);
+  return probe.c.reduce == "sum" ? sums[0] : sums[0] / sums[1];
 }
 
 template <int D>

@@ -43,8 +43,9 @@ class Probes {
     int component = 0;
     int wall = -1;           ///< among Case::walls
     std::vector<int> slots;  ///< on this rank
-    long particles = 0;      ///< on all ranks
   };
+  template <class Use>
+  void for_each_value(const Probe& probe, const ProbedState<D>& state, Use&& use) const;
   double over_particles(const Probe& probe, const ProbedState<D>& state) const;
   double total(const Probe& probe, const ProbedState<D>& state) const;
 

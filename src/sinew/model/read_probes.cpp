@@ -60,6 +60,9 @@ void check_quantity(const CaseReader& reader, ProbeCase& probe, const Node& entr
     throw CaseError(entry.place, owner + ": \"region\" is missing; it says on which particles the reaction force is summed");
   check_wall(reader, probe, entry, owner);
   if (!quantity.is_total) return;
+  if (probe.exact)
+    throw CaseError(place_of(entry, "exact"),
+                    owner + ": " + probe.quantity + " is one number already; subtract from it in a probe with \"expression\"");
   if (entry.find("reduce") && probe.reduce != "sum")
     throw CaseError(place_of(entry, "reduce"),
                     owner + ": " + probe.quantity + " is one number already, so reduce can only be \"sum\"");
@@ -70,7 +73,7 @@ void check_quantity(const CaseReader& reader, ProbeCase& probe, const Node& entr
 /// A formula over earlier probes takes none of the keys that pick particles.
 void check_expression(const CaseReader& reader, const ProbeCase& probe, const Node& entry, const std::string& owner,
                       const std::vector<std::string>& earlier, Node& resolved) {
-  for (const std::string key : {"quantity", "region", "reduce", "component", "wall"}) {
+  for (const std::string key : {"quantity", "region", "reduce", "exact", "component", "wall"}) {
     if (entry.find(key))
       throw CaseError(place_of(entry, key),
                       owner + ": \"expression\" is a formula over other probes and cannot have \"" + key + "\"");
