@@ -21,7 +21,7 @@ static const std::vector<WrongCase> wrong_bodies{
      "density, youngs_modulus, poissons_ratio, bulk_modulus, shear_modulus, lame_lambda."},
     {"UnknownKeyInFormulation", "stabilization =", "stabilisation =",
      "case.toml:19:1: [formulation]: unknown key \"stabilisation\". Did you mean \"stabilization\"? Known keys: model, kernel, "
-     "support, neighbors, correction, deformation_gradient, stabilization."},
+     "support, neighbors, correction, deformation_gradient, momentum, project_angular_momentum, stabilization."},
     {"UnknownKeyInStabilization", "alpha", "alfa",
      "case.toml:19:52: [formulation]: stabilization 1: unknown key \"alfa\". Known keys: model, alpha, normalization, "
      "plastic_switch."},
@@ -103,8 +103,27 @@ static const std::vector<WrongCase> wrong_bodies{
      "case.toml:19:68: [formulation]: stabilization: the same model is given twice"},
     {"SupportAndNeighbors", "support = 2.4", "support = 2.4\nneighbors = 12",
      "case.toml:19:13: [formulation]: \"support\" and \"neighbors\" both set the kernel radius; give only one of them"},
-    {"UnknownDeformationGradient", "support = 2.4", "deformation_gradient = \"bond\"",
-     "case.toml:18:24: [formulation]: deformation_gradient: unknown name \"bond\". Known names: direct."},
+    {"NeighborsWithJst", "support = 2.4\nstabilization = [", "neighbors = 30\nstabilization = [ { model = \"jst\" },",
+     "case.toml:18:13: [formulation]: \"neighbors\" gives each particle a kernel radius of its own, and stabilization \"jst\" "
+     "needs "
+     "the same for all of a body; use \"support\""},
+    {"NeighborsWithBonds", "support = 2.4", "neighbors = 30\ndeformation_gradient = \"bond\"",
+     "case.toml:18:13: [formulation]: \"neighbors\" gives each particle a kernel radius of its own, and momentum = \"symmetric\" "
+     "needs the same for all of a body; use \"support\""},
+    {"SymmetricVariational", "support = 2.4",
+     "support = 2.4\ndeformation_gradient = \"bond_variational\"\nmomentum = \"symmetric\"",
+     "case.toml:20:12: [formulation]: the force of \"bond_variational\" is the gradient of its energy; momentum must be "
+     "\"adjoint\""},
+    {"BondsThatSeparate", "poissons_ratio = 0.45\n[formulation]\n",
+     "poissons_ratio = 0.45\ndamage = { model = \"principal_strain\", threshold = 0.5, separate = true "
+     "}\n[formulation]\ndeformation_gradient = "
+     "\"bond\"\n",
+     "case.toml:18:24: [formulation]: body \"column\" comes apart (separate = true), which needs deformation_gradient = "
+     "\"direct\" "
+     "and momentum = \"adjoint\""},
+    {"UnknownDeformationGradient", "support = 2.4", "deformation_gradient = \"bonds\"",
+     "case.toml:18:24: [formulation]: deformation_gradient: unknown name \"bonds\". Did you mean \"bond\"? Known names: direct, "
+     "rate, bond, bond_variational."},
 };
 SINEW_WRONG_CASES(WrongBodies, wrong_bodies);
 

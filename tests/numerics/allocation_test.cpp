@@ -42,6 +42,18 @@ TEST(Allocation, AStepAllocatesNothing) {
   }
 }
 
+TEST(Allocation, NorDoesOneOfTheExtendedMethods) {
+  for (const std::string form : {"rate", "bond", "bond_variational"}) {
+    const auto simulation =
+        simulation_of(free_block(3, "integrator = \"rk3\"\n[formulation]\ncorrection = \"linear\"\ndeformation_gradient = \"" +
+                                        form + "\"\nstabilization = [{ model = \"jst\", eta2 = 0.01 }]\n"));
+    run_steps(*simulation, 3);
+    const long before = allocations;
+    run_steps(*simulation, 20);
+    EXPECT_EQ(allocations - before, 0) << form;
+  }
+}
+
 /// Bodies at rest that touch, on a wall, of metal with damage, with viscosity: no list is made anew, and nothing else allocates.
 TEST(Allocation, NorDoesOneWithContact) {
   const auto simulation = simulation_of(

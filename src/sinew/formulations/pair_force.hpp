@@ -46,12 +46,12 @@ struct ConservativeShares {
   }
   template <class Weight>
   SINEW_INLINE Vec<Pack, D> operator()(const Weight& w, const Vec<Pack, D>& u, const Vec<Pack, D>& X) {
-    return B * w.vector(X) + pull(w, u);
+    return B * w.force(X) + pull(w, u);
   }
   template <class Weight>
   SINEW_INLINE MirroredShares<D> mirrored(const Weight& w, const Vec<Pack, D>& u_forward, const Vec<Pack, D>& u_backward,
                                           const Vec<Pack, D>& X) {
-    const Vec<Pack, D> odd = B * w.vector(X);
+    const Vec<Pack, D> odd = B * w.force(X);
     return {pull(w, u_forward) + odd, pull(w, u_backward) - odd};
   }
   SINEW_INLINE Pack hourglass_energy() const { return 0.5 * energy; }
@@ -91,7 +91,7 @@ struct SeparateShares {
   SINEW_INLINE Vec<Pack, D> operator()(const Weight& w, const Vec<Pack, D>& u, const Vec<Pack, D>& X) {
     const auto share = Form::share(F, X, X + u, stiffness * w.hourglass);
     energy += share.energy;
-    return Q * w.vector(X) + share.force;
+    return Q * w.force(X) + share.force;
   }
   template <class Weight>
   SINEW_INLINE MirroredShares<D> mirrored(const Weight& w, const Vec<Pack, D>& u_forward, const Vec<Pack, D>& u_backward,

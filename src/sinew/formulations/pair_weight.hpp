@@ -19,6 +19,11 @@ struct RadialWeight {
   SINEW_INLINE Vec<T, D> vector(const Vec<T, D>& X) const {
     return gradient * X;
   }
+  /// What carries the stress to the pair.
+  template <int D>
+  SINEW_INLINE Vec<T, D> force(const Vec<T, D>& X) const {
+    return vector(X);
+  }
   SINEW_INLINE void store(double* to) const {
     gradient.store(to);
     if constexpr (with_hourglass) hourglass.store(to + lanes);
@@ -39,9 +44,12 @@ struct RadialWeight {
 /// The complete gradient as a vector.
 template <class T, int D>
 struct VectorWeight {
-  Vec<T, D> gradient;  ///< V_j g_ij [1/length]
-  T hourglass;         ///< [1/length^2]
+  Vec<T, D> gradient;      ///< V_j g_ij [1/length]
+  Vec<T, D> force_vector;  ///< the same, or what takes its place in the force [1/length]
+  T hourglass;             ///< [1/length^2]
+  T average;               ///< V_j W1_ij / r_ij^2 of the average over bonds [1/length^2]
   SINEW_INLINE const Vec<T, D>& vector(const Vec<T, D>&) const { return gradient; }
+  SINEW_INLINE const Vec<T, D>& force(const Vec<T, D>&) const { return force_vector; }
   SINEW_INLINE PackMask present() const { return PackMask::from_bits(0xff); }
 };
 
@@ -53,6 +61,7 @@ struct BondWeight {
   T hourglass = T(0.0);
 
   SINEW_INLINE const Vec<T, D>& vector(const Vec<T, D>&) const { return gradient_vector; }
+  SINEW_INLINE const Vec<T, D>& force(const Vec<T, D>&) const { return gradient_vector; }
   SINEW_INLINE BondWeight reversed() const { return {gradient, -gradient_vector, hourglass}; }
   SINEW_INLINE PackMask present() const { return gradient > T(0.0); }
   SINEW_INLINE BondWeight only(PackMask mask) const {

@@ -39,6 +39,10 @@ PairWeights<D> room_for(const PairSource<D>& source, const WeightOptions& option
     w.single_pairs.gradient = AlignedArray<float>(entries);
     if (options.hourglass_weights()) w.single_pairs.hourglass = AlignedArray<float>(entries);
   }
+  if (options.mutual()) w.pairs.force = AlignedArray<double>(entries * D);
+  if (options.average != BondAverage::none) w.pairs.average = AlignedArray<double>(entries);
+  if (options.average == BondAverage::mutual) w.pairs.average_of_other = AlignedArray<double>(entries);
+  if (options.dissipation) w.pairs.dissipation = AlignedArray<double>(entries);
   return w;
 }
 
@@ -59,6 +63,7 @@ std::vector<int> number_constants(const BlockPairs<D>& pairs, PairWeights<D>& w)
     if (!pairs.listed(slice)) slice_of[pattern] = slice;
   }
   w.constants = AlignedArray<SliceConstants<D>>(next);
+  if (w.pairs.average.size() > 0) w.own_average = AlignedArray<SymmetricPack<D>>(next);
   return slice_of;
 }
 
@@ -66,16 +71,18 @@ std::vector<int> number_constants(const BlockPairs<D>& pairs, PairWeights<D>& w)
 template <int D, class Kernel, class Correction>
 class AllWeights {
  public:
-  AllWeights(const PairSource<D>& source, const WeightOptions& options, const Correction& correction, PairWeights<D>& w)
+  AllWeights(const PairSource<D>& source, const WeightOptions& options, const Correction& correction, PairWeights<D>& w,
+             MapField<D>* maps)
       : source_(source),
         options_(options),
         correction_(correction),
-        w_(w) {}
+        w_(w),
+        maps_(maps) {}
 
   void fill() {
     for (const Bond<D>& bond : source_.pairs.lattice.bonds) w_.bonds.push_back(bond_weight<Kernel>(bond));
     const std::vector<int> slice_of_pattern = number_constants(source_.pairs, w_);
-    most_stiffness_.assign(w_.constants.size(), 0.0);
+    most_.assign(w_.constants.size(), {});
     for (std::size_t pattern = 0; pattern < slice_of_pattern.size(); ++pattern)
       if (slice_of_pattern[pattern] >= 0) fill_slice(slice_of_pattern[pattern], source_.pairs.lattice.volumes[pattern], nullptr);
     const std::vector<Block>& blocks = source_.pairs.blocks.all;
@@ -87,7 +94,7 @@ class AllWeights {
         if (blocks[b].has_list) fill_block(blocks[b], reference);
     }
     if (bad_ < source_.particles.slots) too_few_neighbors(source_, bad_, Correction::name);
-    find_most_stiffness();
+    find_most();
   }
 
   std::vector<int> renew(const Block& block, const std::vector<int>& slices) {
@@ -97,7 +104,7 @@ class AllWeights {
     for (const int slice : slices) {
       SliceWeights<D, Kernel, Correction> weights(source_, options_, correction_, &reference, w_);
       const unsigned bad = weights.fill(slice, volumes_of(block, slice, reference), least_roundness);
-      w_.most_stiffness[block.body] = std::max(w_.most_stiffness[block.body], weights.most_stiffness());
+      w_.most_stiffness[block.body] = std::max(w_.most_stiffness[block.body], weights.most().stiffness);
       const int* slots = source_.pairs.blocks.slots_of(block) + source_.pairs.blocks.place_of_slice[slice];
       for (int k = 0; k < lanes; ++k)
         if ((bad >> k & 1U) != 0U) flat.push_back(slots[k]);
@@ -126,9 +133,9 @@ class AllWeights {
   }
 
   void fill_slice(int slice, const SliceVolumes& volumes, const BlockReference<D>* reference) {
-    SliceWeights<D, Kernel, Correction> weights(source_, options_, correction_, reference, w_);
+    SliceWeights<D, Kernel, Correction> weights(source_, options_, correction_, reference, w_, maps_);
     const unsigned bad = weights.fill(slice, volumes);
-    most_stiffness_[w_.constants_of[slice]] = weights.most_stiffness();
+    most_[w_.constants_of[slice]] = weights.most();
     if (bad == 0) return;
 #pragma omp critical
     bad_ = std::min(bad_, first_slot(slice, bad));
@@ -144,34 +151,38 @@ class AllWeights {
     return first;
   }
 
-  void find_most_stiffness() {
-    w_.most_stiffness.assign(source_.particles.bodies.size(), 0.0);
+  void find_most() {
+    std::vector<Most> of_body(source_.particles.bodies.size());
     for (const Block& block : source_.pairs.blocks.all)
-      for (int slice = block.first_slice; slice < block.end_slice; ++slice) {
-        double& most = w_.most_stiffness[block.body];
-        most = std::max(most, most_stiffness_[w_.constants_of[slice]]);
-      }
+      for (int slice = block.first_slice; slice < block.end_slice; ++slice)
+        of_body[block.body].include(most_[w_.constants_of[slice]]);
+    for (const Most& most : of_body) {
+      w_.most_stiffness.push_back(most.stiffness);
+      w_.most_trace.push_back(most.trace);
+      w_.most_slope.push_back(most.slope);
+    }
   }
 
   const PairSource<D>& source_;
   const WeightOptions& options_;
   const Correction& correction_;
   PairWeights<D>& w_;
-  std::vector<double> most_stiffness_;  ///< of each set of constants: largest sum of the hourglass weights
-  int bad_ = source_.particles.slots;   ///< first slot whose neighbors do not allow the correction
+  MapField<D>* maps_;
+  std::vector<Most> most_;             ///< of each set of constants
+  int bad_ = source_.particles.slots;  ///< first slot whose neighbors do not allow the correction
 };
 
 }  // namespace
 
 template <int D>
 PairWeights<D> make_pair_weights(const PairSource<D>& source, const std::vector<double>& support_radius,
-                                 const WeightOptions& options) {
+                                 const WeightOptions& options, MapField<D>* maps) {
   PairWeights<D> w = room_for(source, options);
   w.radius = AlignedArray<double>(support_radius.size());
   std::copy(support_radius.begin(), support_radius.end(), w.radius.begin());
   std::visit(
       [&]<class Kernel, class Correction>(const Kernel&, const Correction& correction) {
-        AllWeights<D, Kernel, Correction>(source, options, correction, w).fill();
+        AllWeights<D, Kernel, Correction>(source, options, correction, w, maps).fill();
       },
       options.kernel, options.correction);
   return w;
@@ -182,7 +193,7 @@ std::vector<int> renew_weights(const PairSource<D>& source, const Block& block, 
                                const WeightOptions& options, PairWeights<D>& weights) {
   return std::visit(
       [&]<class Kernel, class Correction>(const Kernel&, const Correction& correction) {
-        return AllWeights<D, Kernel, Correction>(source, options, correction, weights).renew(block, slices);
+        return AllWeights<D, Kernel, Correction>(source, options, correction, weights, nullptr).renew(block, slices);
       },
       options.kernel, options.correction);
 }
@@ -191,7 +202,9 @@ template std::vector<int> renew_weights<2>(const PairSource<2>&, const Block&, c
                                            PairWeights<2>&);
 template std::vector<int> renew_weights<3>(const PairSource<3>&, const Block&, const std::vector<int>&, const WeightOptions&,
                                            PairWeights<3>&);
-template PairWeights<2> make_pair_weights<2>(const PairSource<2>&, const std::vector<double>&, const WeightOptions&);
-template PairWeights<3> make_pair_weights<3>(const PairSource<3>&, const std::vector<double>&, const WeightOptions&);
+template PairWeights<2> make_pair_weights<2>(const PairSource<2>&, const std::vector<double>&, const WeightOptions&,
+                                             MapField<2>*);
+template PairWeights<3> make_pair_weights<3>(const PairSource<3>&, const std::vector<double>&, const WeightOptions&,
+                                             MapField<3>*);
 
 }  // namespace sinew

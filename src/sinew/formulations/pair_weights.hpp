@@ -4,6 +4,7 @@
 
 #include <sinew/core/params.hpp>
 #include <sinew/corrections/registry.hpp>
+#include <sinew/formulations/map_field.hpp>
 #include <sinew/formulations/pair_weight.hpp>
 #include <sinew/kernels/registry.hpp>
 #include <sinew/neighbors/block_pairs.hpp>
@@ -32,6 +33,13 @@ enum class HourglassWeight {
   central        ///< V_j W_ij / r_ij^2
 };
 
+/// What is kept for averages over bonds.
+enum class BondAverage {
+  none,
+  own,    ///< the weights of a particle's own average
+  mutual  ///< those of its neighbors' averages besides
+};
+
 /// Number of independent components of a symmetric D x D matrix.
 template <int D>
 inline constexpr int symmetric_size = D*(D + 1) / 2;
@@ -41,10 +49,17 @@ struct WeightOptions {
   AnyCorrection correction;
   HourglassWeight hourglass = HourglassWeight::conservative;
   WeightStorage storage = WeightStorage::stored;  ///< not automatic
+  BondAverage average = BondAverage::none;
+  bool symmetric = false;    ///< force vectors 1/2 (g_ij - g_ji)
+  bool vectors = false;      ///< for other reasons
+  bool dissipation = false;  ///< weights of a Laplacian
 
+  /// Some weights need the neighbor's map besides the particle's own.
+  bool mutual() const { return symmetric || average == BondAverage::mutual; }
   /// One number a pair is enough for the gradient; otherwise vectors are stored.
   bool radial() const {
-    return std::visit([](const auto& c) { return c.radial; }, correction);
+    return std::visit([](const auto& c) { return c.radial; }, correction) && !vectors && !mutual() &&
+           average == BondAverage::none;
   }
   /// Pairs need a second number: V_j W_ij / r_ij^2, or any hourglass weight where gradients are vectors.
   bool hourglass_weights() const {
@@ -57,23 +72,43 @@ template <class Scalar>
 struct StoredPairs {
   AlignedArray<Scalar> gradient;   ///< V_j a_ij [1/length^2]; vectors: D times as many, V_j g_ij component by component
   AlignedArray<Scalar> hourglass;  ///< hourglass weight [1/length^2]; empty where not needed
-  std::size_t bytes() const { return gradient.bytes() + hourglass.bytes(); }
+  // likewise empty where not needed
+  AlignedArray<Scalar> force;             ///< vectors that carry the stress in the place of those of the gradient [1/length]
+  AlignedArray<Scalar> average;           ///< V_j W1_ij / r_ij^2, W1 the corrected kernel [1/length^2]
+  AlignedArray<Scalar> average_of_other;  ///< V_i W1_ji / r_ij^2 [1/length^2]
+  AlignedArray<Scalar> dissipation;       ///< V_j a_ij [1/length^2]
+  std::size_t bytes() const {
+    return gradient.bytes() + hourglass.bytes() + force.bytes() + average.bytes() + average_of_other.bytes() +
+           dissipation.bytes();
+  }
+};
+
+/// A symmetric matrix of eight particles: upper triangle.
+template <int D>
+struct SymmetricPack {
+  Pack upper[symmetric_size<D>];
+
+  SINEW_INLINE Mat<Pack, D> matrix() const {
+    Mat<Pack, D> full;
+    for (int i = 0, c = 0; i < D; ++i)
+      for (int j = i; j < D; ++j, ++c) full[i][j] = full[j][i] = upper[c];
+    return full;
+  }
+  void set(const Mat<Pack, D>& full) {
+    for (int i = 0, c = 0; i < D; ++i)
+      for (int j = i; j < D; ++j, ++c) upper[c] = full[i][j];
+  }
 };
 
 /// What eight particles need besides their pairs, in the layout in which it is kept.
 template <int D>
 struct SliceConstants {
-  Pack correction[symmetric_size<D>];  ///< L, upper triangle; the identity where pairs have vectors
-  Pack volume;                         ///< V_i [length^D]
-  Pack hourglass_scale;                ///< 1 / sum_k V_k a_ik r_ik^2 for the conservative form, 1 for the central one [1]
-  Pack inverse_length2;                ///< 1 / length^2, length the smaller of V^(1/D) and the nearest distance
+  SymmetricPack<D> correction;  ///< L; the identity where pairs have vectors
+  Pack volume;                  ///< V_i [length^D]
+  Pack hourglass_scale;         ///< 1 / sum_k V_k a_ik r_ik^2 for the conservative form, 1 for the central one [1]
+  Pack inverse_length2;         ///< 1 / length^2, length the smaller of V^(1/D) and the nearest distance
 
-  SINEW_INLINE Mat<Pack, D> correction_matrix() const {
-    Mat<Pack, D> full;
-    for (int i = 0, c = 0; i < D; ++i)
-      for (int j = i; j < D; ++j, ++c) full[i][j] = full[j][i] = correction[c];
-    return full;
-  }
+  SINEW_INLINE Mat<Pack, D> correction_matrix() const { return correction.matrix(); }
 };
 
 template <int D>
@@ -85,8 +120,13 @@ struct PairWeights {
   std::vector<int> constants_of;                   ///< slice -> its constants
   AlignedArray<double> radius;                     ///< per slot: support radius R_i [length]
   std::vector<double> most_stiffness;              ///< per body: largest sum of the hourglass weights of a particle [1/length^2]
+  std::vector<double> most_trace;                  ///< per body: largest trace of the moments sum V_j a_ij X_ij (x) X_ij [1]
+  std::vector<double> most_slope;                  ///< per body: largest sum V_j a_ij [1/length^2]
+  AlignedArray<SymmetricPack<D>>
+      own_average;  ///< like `constants`: sum_j V_j W1_ij (I - N_ij (x) N_ij) / 2 + V_i W1_ii I; or empty
   std::size_t bytes() const {
-    return pairs.bytes() + single_pairs.bytes() + constants.bytes() + constants_of.size() * sizeof(int) + radius.bytes();
+    return pairs.bytes() + single_pairs.bytes() + constants.bytes() + constants_of.size() * sizeof(int) + radius.bytes() +
+           own_average.bytes();
   }
 };
 
@@ -97,10 +137,11 @@ struct PairSource {
   const BlockPairs<D>& pairs;
 };
 
-/// Computes the weights. A particle whose neighbors do not allow the correction is a CaseError that names it. `support_radius`: per slot [length].
+/// Computes the weights. A particle whose neighbors do not allow the correction is a CaseError that names it. `support_radius`: per slot [length]. `maps`: to be filled for the
+/// own particles; nullptr: not wanted.
 template <int D>
 PairWeights<D> make_pair_weights(const PairSource<D>& source, const std::vector<double>& support_radius,
-                                 const WeightOptions& options);
+                                 const WeightOptions& options, MapField<D>* maps = nullptr);
 
 /// Anew for slices of a block of which pairs have been cut. Returns the slots that are left with too few neighbors, or nearly all in one line or plane.
 template <int D>

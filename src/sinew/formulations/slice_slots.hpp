@@ -27,6 +27,17 @@ class SliceSlots {
       if (block_.owns(slots_[k])) by_slot[slots_[k] - first] = values[k];
   }
 
+  Mat<Pack, D> load_matrix(const VectorField<D * D>& by_slot) const {
+    Mat<Pack, D> m;
+    for (int r = 0; r < D; ++r)
+      for (int c = 0; c < D; ++c) m[r][c] = load(by_slot.component(D * r + c));
+    return m;
+  }
+  void store_matrix(const Mat<Pack, D>& m, VectorField<D * D>& by_slot) const {
+    for (int r = 0; r < D; ++r)
+      for (int c = 0; c < D; ++c) store(m[r][c], by_slot.component(D * r + c));
+  }
+
  private:
   const int* slots_;
   const Block& block_;

@@ -26,6 +26,7 @@ struct NeighborSums {
   Vec<Pack, D> gradient;    ///< sum V_j a_ij X_ij [1/length]
   Mat<Pack, D> moment;      ///< sum V_j a_ij X_ij (x) X_ij [1]
   Pack hourglass{0.0};      ///< sum of the hourglass weights before their scale [1/length^2]
+  Pack slope{0.0};          ///< sum V_j a_ij [1/length^2]
   Pack nearest2{infinity};  ///< squared distance of the nearest neighbor [length^2]
   // for corrections that ask for them, see Moments
   Vec<Pack, D> kernel_first;
@@ -53,10 +54,11 @@ template <int D>
 struct GradientMaps {
   Mat<Pack, D> L, bend;
   Vec<Pack, D> shift, tilt;
-  Pack scale{0.0};
+  Pack scale{0.0}, kernel_scale{0.0};
 
   void set(int k, const GradientMap<D>& map) {
     scale.set(k, map.scale);
+    kernel_scale.set(k, map.kernel_scale);
     for (int i = 0; i < D; ++i) {
       shift[i].set(k, map.shift[i]);
       tilt[i].set(k, map.tilt[i]);
@@ -69,6 +71,7 @@ struct GradientMaps {
   Vec<Pack, D> apply(const Pack& a, const Pack& W, const Vec<Pack, D>& X) const {
     return ((scale + dot(tilt, X)) * a) * (L * X) - W * (shift + bend * X);
   }
+  Pack kernel(const Pack& W, const Vec<Pack, D>& X) const { return W * (kernel_scale + dot(tilt, X)); }
 };
 
 /// The reference configuration of a block by place. One for each thread; it keeps its memory.
@@ -76,10 +79,11 @@ template <int D>
 struct BlockReference {
   VectorField<D> position;
   AlignedArray<double> volume, radius;
+  const int* slots = nullptr;
 
   explicit BlockReference(int most_places) : position(most_places), volume(most_places), radius(most_places) {}
   void take(const PairSource<D>& source, const AlignedArray<double>& support_radius, const Block& block) {
-    const int* slots = source.pairs.blocks.slots_of(block);
+    slots = source.pairs.blocks.slots_of(block);
     for (int place = 0; place < block.places; ++place) {
       const int slot = slots[place];
       for (int c = 0; c < D; ++c) position.at(c, place) = slot < 0 ? 0.0 : source.particles.position.at(c, slot);
@@ -89,17 +93,31 @@ struct BlockReference {
   }
 };
 
+/// The largest of one of some particles.
+struct Most {
+  double stiffness = 0.0;  ///< sum of its hourglass weights [1/length^2]
+  double trace = 0.0;      ///< of its moments [1]
+  double slope = 0.0;      ///< sum V_j a_ij [1/length^2]
+
+  void include(const Most& other) {
+    stiffness = std::max(stiffness, other.stiffness);
+    trace = std::max(trace, other.trace);
+    slope = std::max(slope, other.slope);
+  }
+};
+
 template <int D, class Kernel, class Correction>
 class SliceWeights {
  public:
   /// `reference`: of the block of the slice; nullptr for slices with a pattern only.
   SliceWeights(const PairSource<D>& source, const WeightOptions& options, const Correction& correction,
-               const BlockReference<D>* reference, PairWeights<D>& weights)
+               const BlockReference<D>* reference, PairWeights<D>& weights, MapField<D>* kept_maps = nullptr)
       : source_(source),
         options_(options),
         correction_(correction),
         reference_(reference),
-        w_(weights) {}
+        w_(weights),
+        kept_maps_(kept_maps) {}
 
   /// Fills weights and constants of a slice. Returns the lanes whose neighbors do not allow the correction, or whose moments are less round than that:
   /// det M / (tr M / D)^D.
@@ -112,16 +130,16 @@ class SliceWeights {
       const GradientMap<D> map = correction_.map(sums.lane(k));
       if (!map.valid || roundness(sums.lane(k).first) < least_roundness) bad |= 1U << k;
       maps.set(k, map);
+      if (kept_maps_) kept_maps_->set(reference_->slots[source_.pairs.blocks.place_of_slice[slice] + k], map);
       finish(slice, k, volumes[k], sums);
     }
-    if constexpr (Correction::radial)
-      store(maps.L, slice);
+    if (options_.radial())
+      constants(slice).correction.set(maps.L);
     else
-      store_vectors(slice, maps);
+      store_vectors(slice, maps, volumes);
     return bad;
   }
-  /// Largest sum of the hourglass weights of one of the particles [1/length^2].
-  double most_stiffness() const { return most_stiffness_; }
+  const Most& most() const { return most_; }
 
  private:
   /// use(entry, X_ij, V_j, R_i) for all neighbors; X = 0 where a particle has fewer than the others. `entry`: of the list, if there is one.
@@ -165,20 +183,21 @@ class SliceWeights {
 
   NeighborSums<D> sum_neighbors(int slice, const SliceVolumes& volumes) {
     NeighborSums<D> sums;
-    if constexpr (!Correction::radial)
+    if (!options_.radial())
       sums.shepard = Pack::load_unaligned(volumes.data()) * Kernel::template value<D>(Pack(0.0), radius(slice));
     const bool listed = source_.pairs.listed(slice);
     const bool central = options_.hourglass == HourglassWeight::central;
     for_each_neighbor(slice, [&](std::size_t entry, const Vec<Pack, D>& X, const Pack& V, const Pack& R) {
       RadialWeight<Pack, true> w = radial_weight<Kernel, true>(X, V, R);
-      if (Correction::radial && listed) keep(entry, w);
+      if (options_.radial() && listed) keep(entry, w);
+      if (options_.dissipation && listed) w.gradient.store(w_.pairs.dissipation.data() + lanes * entry);
       const Pack r2 = dot(X, X);
       sums.gradient += w.gradient * X;
       sums.moment += outer(w.gradient * X, X);
       sums.hourglass += central ? w.hourglass : w.gradient;
+      sums.slope += w.gradient;
       sums.nearest2 = min(sums.nearest2, select(r2 > Pack(0.0), r2, Pack(infinity)));
-      if constexpr (!Correction::radial)
-        sums.shepard += select(r2 > Pack(0.0), V * Kernel::template value<D>(sqrt(r2), R), Pack(0.0));
+      if (!options_.radial()) sums.shepard += select(r2 > Pack(0.0), V * Kernel::template value<D>(sqrt(r2), R), Pack(0.0));
       if constexpr (Correction::higher_moments) sums.add_higher(X, V * Kernel::template value<D>(sqrt(r2), R), w.gradient);
     });
     return sums;
@@ -199,9 +218,10 @@ class SliceWeights {
     put(w_.single_pairs.hourglass, w.hourglass);
   }
 
-  /// V_j g_ij, and the hourglass weights.
-  void store_vectors(int slice, const GradientMaps<D>& maps) {
-    store(Mat<Pack, D>::identity(), slice);
+  /// V_j g_ij, the hourglass weights, and those of averages.
+  void store_vectors(int slice, const GradientMaps<D>& maps, const SliceVolumes& volumes) {
+    constants(slice).correction.set(Mat<Pack, D>::identity());
+    if (options_.average != BondAverage::none) store_averages(slice, maps, volumes);
     for_each_neighbor(slice, [&](std::size_t entry, const Vec<Pack, D>& X, const Pack& V, const Pack& R) {
       const RadialWeight<Pack, true> w = radial_weight<Kernel, true>(X, V, R);
       const Pack r2 = dot(X, X);
@@ -214,12 +234,23 @@ class SliceWeights {
     });
   }
 
-  SliceConstants<D>& constants(int slice) { return w_.constants[w_.constants_of[slice]]; }
-
-  void store(const Mat<Pack, D>& L, int slice) {
-    for (int i = 0, c = 0; i < D; ++i)
-      for (int j = i; j < D; ++j, ++c) constants(slice).correction[c] = L[i][j];
+  /// V_j W1_ij / r_ij^2, and what a particle's own gradient counts in its average.
+  void store_averages(int slice, const GradientMaps<D>& maps, const SliceVolumes& volumes) {
+    const Pack W0 = Kernel::template value<D>(Pack(0.0), radius(slice));
+    const Mat<Pack, D> I = Mat<Pack, D>::identity();
+    Mat<Pack, D> own = (Pack::load_unaligned(volumes.data()) * W0 * maps.kernel_scale) * I;
+    for_each_neighbor(slice, [&](std::size_t entry, const Vec<Pack, D>& X, const Pack& V, const Pack& R) {
+      const Pack r2 = dot(X, X);
+      const auto apart = r2 > Pack(0.0);
+      const Pack w = maps.kernel(V * Kernel::template value<D>(sqrt(r2), R), X);
+      const Pack b = select(apart, w / select(apart, r2, Pack(1.0)), Pack(0.0));
+      b.store(w_.pairs.average.data() + lanes * entry);
+      own += (0.5 * b) * (r2 * I - outer(X, X));
+    });
+    w_.own_average[w_.constants_of[slice]].set(own);
   }
+
+  SliceConstants<D>& constants(int slice) { return w_.constants[w_.constants_of[slice]]; }
 
   /// The other constants of one particle.
   void finish(int slice, int k, double volume, const NeighborSums<D>& sums) {
@@ -232,7 +263,9 @@ class SliceWeights {
     own.volume.set(k, volume);
     own.inverse_length2.set(k, 1.0 / std::min(sums.nearest2[k], size * size));
     own.hourglass_scale.set(k, scale);
-    most_stiffness_ = std::max(most_stiffness_, sums.hourglass[k] * scale);
+    most_.stiffness = std::max(most_.stiffness, sums.hourglass[k] * scale);
+    most_.trace = std::max(most_.trace, trace);
+    most_.slope = std::max(most_.slope, sums.slope[k]);
   }
 
   const PairSource<D>& source_;
@@ -240,7 +273,8 @@ class SliceWeights {
   const Correction& correction_;
   const BlockReference<D>* reference_;
   PairWeights<D>& w_;
-  double most_stiffness_ = 0.0;
+  MapField<D>* kept_maps_;
+  Most most_;
 };
 
 }  // namespace sinew

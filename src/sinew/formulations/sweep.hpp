@@ -34,36 +34,64 @@ Pack hourglass_error(const Mat<Pack, D>& F, const Pairs& pairs) {
   return sqrt(error2);
 }
 
-/// Keeps what `record` asks for of a slice.
-template <int D, class Pairs>
-void keep(const SweepTask<D>& task, int slice, const Mat<Pack, D>& F, const PointResponse<D>& point, const Pairs& pairs) {
-  RecordedState& state = *task.record;
-  const SliceSlots<D> slots(task.source.pairs, task.block, slice);
-  const Mat3<Pack> F3 = embed(F, point.thickness_stretch), P3 = embed(point.P, point.thickness_stress);
-  for (int c = 0; c < 9; ++c) {
-    slots.store(F3[c / 3][c % 3], state.deformation_gradient.component(c));
-    slots.store(P3[c / 3][c % 3], state.stress.component(c));
-  }
-  slots.store(point.energy, state.energy_density.data());
-  if (task.material.numbers > 0) {
-    slots.store(point.plastic.strain, state.inelastic.component(0));
-    slots.store(point.plastic.work, state.inelastic.component(1));
-    slots.store(point.plastic.temperature, state.inelastic.component(2));
-    slots.store(point.damage.now, state.inelastic.component(3));
-  }
-  if (state.hourglass_error.size() > 0) slots.store(hourglass_error(F, pairs), state.hourglass_error.data());
-}
-
 /// A slice on its way through the sweep.
 template <int D>
 struct SliceInWork {
   Mat<Pack, D> S, F;
+  Mat<Pack, D> direct;  ///< of the displacements, where F is an average over bonds
   PointResponse<D> point;
+
+  /// What pairs are compared with.
+  template <class Pairs>
+  SINEW_INLINE const Mat<Pack, D>& of_pairs(DeformationGradient form) const {
+    if constexpr (Pairs::vectors)
+      if (form >= DeformationGradient::bond) return direct;
+    return F;
+  }
 };
+
+/// F of eight particles whose gradients are integrated in time.
+template <int D, class Pairs>
+SINEW_INLINE void integrate_deformation(const SweepTask<D>& task, Pairs& pairs, int number, SliceInWork<D>& slice) {
+  const VectorRows<D> v{task.scratch.velocity_rows()};
+  const Vec<Pack, D> v_i = pairs.own(v);
+  Mat<Pack, D> rate;
+  pairs.first_visit_with(v, [&](const auto& weight, const Vec<Pack, D>&, const Vec<Pack, D>& X, const Vec<Pack, D>& v_j) {
+    rate += outer(v_j - v_i, weight.vector(X));
+  });
+  const SliceSlots<D> slots(task.source.pairs, task.block, number);
+  const Mat<Pack, D> G = slots.load_matrix(task.matrices.gradient) + Pack(task.rate_step) * rate;
+  slice.F = Mat<Pack, D>::identity() + G;
+  if (!task.step.respond()) return;
+  slots.store_matrix(rate, task.matrices.rate);
+  if (task.rate_step > 0.0) slots.store_matrix(G, task.matrices.gradient);
+}
+
+/// F of eight particles as the average over their bonds, each with the gradient
+///     F_ij = (F_i + F_j)/2 (I - N_ij (x) N_ij) + x_ij (x) X_ij / r_ij^2
+/// and the particle itself. Wiragunarsa et al. (2024), eq. 37 and 39; here of displacements, with b_ij = V_j W1_ij / r_ij^2:
+///     F_i - I = G_i K_i + sum_j b_ij (r_ij^2 G_j / 2 + (u_ij - G_j X_ij / 2) (x) X_ij)
+template <int D, class Pairs>
+SINEW_INLINE void average_over_bonds(const SweepTask<D>& task, Pairs& pairs, int number, SliceInWork<D>& slice) {
+  const Mat<Pack, D> G = SliceSlots<D>(task.source.pairs, task.block, number).load_matrix(task.matrices.gradient);
+  Mat<Pack, D> average = G * task.weights.own_average[task.weights.constants_of[number]].matrix();
+  pairs.first_visit_with(task.scratch.matrices(),
+                         [&](const auto& weight, const Vec<Pack, D>& u, const Vec<Pack, D>& X, const Mat<Pack, D>& G_j) {
+                           const Pack b = weight.average, half = 0.5 * b;
+                           average += (half * dot(X, X)) * G_j + outer(b * u - half * (G_j * X), X);
+                         });
+  slice.direct = Mat<Pack, D>::identity() + G;
+  slice.F = Mat<Pack, D>::identity() + average;
+}
 
 /// S and F of eight particles.
 template <int D, class Pairs>
-SINEW_INLINE void find_deformation(const SliceConstants<D>& constants, Pairs& pairs, SliceInWork<D>& slice) {
+SINEW_INLINE void find_deformation(const SweepTask<D>& task, const SliceConstants<D>& constants, Pairs& pairs, int number,
+                                   SliceInWork<D>& slice) {
+  if constexpr (Pairs::vectors) {
+    if (task.form == DeformationGradient::rate) return integrate_deformation(task, pairs, number, slice);
+    if (task.form != DeformationGradient::direct) return average_over_bonds(task, pairs, number, slice);
+  }
   Mat<Pack, D> S;
   pairs.first_visit([&](const auto& weight, const Vec<Pack, D>& u, const Vec<Pack, D>& X) { S += outer(u, weight.vector(X)); });
   slice.S = S;
@@ -85,6 +113,17 @@ SINEW_INLINE Pack give_viscous_forces(const SweepTask<D>& task, const SliceConst
   sums.viscous_power += shares.power;
   const Pack rate = (1.6 / task.density) * shares.resistance / max(volume, Pack(1e-300));
   return select(volume > Pack(0.0), rate * rate, Pack(0.0));
+}
+
+/// Forces of JstDissipation on eight particles.
+template <int D, class Pairs>
+SINEW_INLINE void give_dissipation(const SweepTask<D>& task, const SliceConstants<D>& constants, Pairs& pairs, int number,
+                                   SweepSums& sums) {
+  const SliceSlots<D> slots(task.source.pairs, task.block, number);
+  const Pack size = (task.density * task.thickness * task.laplacian_scale) * constants.volume;
+  const Vec<Pack, D> force = size * pairs.sum_differences(task.scratch.vectors(), task.weights.pairs.dissipation.data());
+  pairs.add_to_own(force);
+  for (int c = 0; c < D; ++c) sums.viscous_power -= force[c] * slots.load(task.source.particles.velocity.component(c));
 }
 
 /// Of eight particles with history: what flow and damage have taken, also of the energy of the hourglass stiffness.
@@ -127,18 +166,44 @@ SINEW_INLINE void give_forces(const SweepTask<D>& task, const SliceConstants<D>&
   sums.jacobian = min(sums.jacobian, point.jacobian);
   Pack rate = stiffness_rate(task, constants, pairs, slice);
   if (task.viscosity) rate += task.density * give_viscous_forces(task, constants, pairs, slice, slice_number, sums);
+  if constexpr (Pairs::listed)
+    if (task.laplacian_scale > 0.0) give_dissipation(task, constants, pairs, slice_number, sums);
   sums.stiffness_rate = max(sums.stiffness_rate, rate);
 
   const Pack modulus = task.fixed_modulus > 0.0 ? Pack(task.fixed_modulus) : point.hourglass_modulus;
   const Pack stiffness = volume * task.hourglass * modulus * constants.hourglass_scale;
   const bool history = task.material.numbers > 0;
-  Shares shares(PointState<D>{(volume * point.P) * constants.correction_matrix(), slice.F, slice.S,
-                              history ? stiffness * point.damage.intact : stiffness});
+  if (task.form == DeformationGradient::bond_variational)
+    SliceSlots<D>(task.source.pairs, task.block, slice_number).store_matrix(volume * point.P, task.matrices.stress);
+  Shares shares(PointState<D>{(volume * point.P) * constants.correction_matrix(), slice.template of_pairs<Pairs>(task.form),
+                              slice.S, history ? stiffness * point.damage.intact : stiffness});
   pairs.exchange(shares);
   if (history)
     count_dissipation(task, point, volume, shares.hourglass_energy(), sums);
   else
     sums.hourglass_energy += shares.hourglass_energy();
+}
+
+/// Keeps what `record` asks for of a slice.
+template <int D, class Pairs>
+void keep(const SweepTask<D>& task, int number, const SliceInWork<D>& slice, const Pairs& pairs) {
+  const PointResponse<D>& point = slice.point;
+  RecordedState& state = *task.record;
+  const SliceSlots<D> slots(task.source.pairs, task.block, number);
+  const Mat3<Pack> F3 = embed(slice.F, point.thickness_stretch), P3 = embed(point.P, point.thickness_stress);
+  for (int c = 0; c < 9; ++c) {
+    slots.store(F3[c / 3][c % 3], state.deformation_gradient.component(c));
+    slots.store(P3[c / 3][c % 3], state.stress.component(c));
+  }
+  slots.store(point.energy, state.energy_density.data());
+  if (task.material.numbers > 0) {
+    slots.store(point.plastic.strain, state.inelastic.component(0));
+    slots.store(point.plastic.work, state.inelastic.component(1));
+    slots.store(point.plastic.temperature, state.inelastic.component(2));
+    slots.store(point.damage.now, state.inelastic.component(3));
+  }
+  if (state.hourglass_error.size() > 0)
+    slots.store(hourglass_error(slice.template of_pairs<Pairs>(task.form), pairs), state.hourglass_error.data());
 }
 
 template <int D>
@@ -162,13 +227,13 @@ void sweep_slices(const SweepTask<D>& task, Pairs pairs, int begin, int end, Swe
     const int count = std::min(together, end - first);
     for (int k = 0; k < count; ++k) {
       pairs.enter(first + k);
-      find_deformation(constants(first + k), pairs, slices[k]);
+      find_deformation(task, constants(first + k), pairs, first + k, slices[k]);
     }
     for (int k = 0; k < count; ++k) ask_material(task, first + k, slices[k]);
     for (int k = 0; k < count; ++k) {
       pairs.enter(first + k);
       give_forces<D, Shares>(task, constants(first + k), pairs, slices[k], first + k, sums);
-      if (task.record) keep(task, first + k, slices[k].F, slices[k].point, pairs);
+      if (task.record) keep(task, first + k, slices[k], pairs);
     }
   }
 }
@@ -222,8 +287,9 @@ ForceSummary choose_sweep(const SweepTask<D>& task) {
   const bool central = task.options.hourglass == HourglassWeight::central;
   if (task.options.radial())
     return central ? sweep_with<D, SeparateShares<D, CentralForm>>(task) : sweep_with<D, ConservativeShares<D>>(task);
-  const double* hourglass = task.weights.pairs.hourglass.size() > 0 ? task.weights.pairs.hourglass.data() : nullptr;
-  const StoredVectors<D> vectors{task.weights.pairs.gradient.data(), hourglass};
+  const StoredPairs<double>& pairs = task.weights.pairs;
+  const double* force = pairs.force.size() > 0 ? pairs.force.data() : pairs.gradient.data();
+  const StoredVectors<D> vectors{pairs.gradient.data(), force, pairs.hourglass.data(), pairs.average.data()};
   if (central) return sweep_runs<D, SeparateShares<D, CentralForm>>(task, vectors);
   return sweep_runs<D, SeparateShares<D, ConservativeForm>>(task, vectors);
 }

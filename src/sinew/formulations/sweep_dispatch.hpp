@@ -25,6 +25,10 @@ struct SweepTask {
   HistorySlots history;
   PointStep step;
   RecordedState* record;  ///< nullptr: forces only
+  DeformationGradient form;
+  ParticleMatrices<D>& matrices;
+  double rate_step;        ///< how far the integrated gradients are to go [time]
+  double laplacian_scale;  ///< 2 C of JstDissipation; 0 without
 };
 
 /// Defined in sweep_2d.cpp and sweep_3d.cpp.
@@ -34,5 +38,28 @@ template <>
 ForceSummary sweep_block<2>(const SweepTask<2>& task);
 template <>
 ForceSummary sweep_block<3>(const SweepTask<3>& task);
+
+/// For sweeps before and after it, which ask no material: what they read and write.
+template <int D>
+struct NeighborTask {
+  const Block& block;
+  const PairSource<D>& source;
+  const PairWeights<D>& weights;
+  BlockScratch<D>& scratch;
+  ParticleMatrices<D>& matrices;
+  double laplacian_scale;  ///< 2 C of JstDissipation
+};
+
+// Defined in neighbor_sweeps.cpp.
+
+/// F - I of the displacements.
+template <int D>
+void find_gradients(const NeighborTask<D>& task);
+/// Laplacians of the vectors in the scratch.
+template <int D>
+void find_laplacians(const NeighborTask<D>& task);
+/// The forces by which the energy of averages over bonds resists the change of the gradients that they average, from the stresses in the scratch.
+template <int D>
+void give_adjoint_forces(const NeighborTask<D>& task);
 
 }  // namespace sinew

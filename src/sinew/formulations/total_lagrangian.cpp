@@ -1,3 +1,4 @@
+#include <sinew/formulations/mutual_weights.hpp>
 #include <sinew/formulations/separation.hpp>
 #include <sinew/formulations/sweep_dispatch.hpp>
 #include <sinew/formulations/total_lagrangian.hpp>
@@ -10,13 +11,6 @@
 namespace sinew {
 
 namespace {
-
-double density_of(const AnyMaterial& material) {
-  return std::visit([](const auto& m) { return m.density; }, material);
-}
-double youngs_modulus_of(const AnyMaterial& material) {
-  return std::visit([](const auto& m) { return m.elastic.youngs_modulus; }, material);
-}
 
 /// Of the materials of all bodies.
 template <int D>
@@ -56,11 +50,66 @@ TotalLagrangian<D>::TotalLagrangian(const Particles<D>& particles, BlockPairs<D>
     (reaches_copies ? edge_ : inner_).push_back(b);
   }
   choose_weights();
-  comm_.together([&] { weights_ = make_pair_weights<D>({particles, pairs_}, support_radius, weight_options()); });
+  make_weights(particles, support_radius);
+  make_matrices(particles);
+  make_dissipation();
   limit_time_step(particles);
   if (options_.separates())
     cracks_ = Cracks<D>(comm_.maximum(
         std::accumulate(support_radius.begin(), support_radius.end(), 0.0, [](double a, double b) { return max(a, b); })));
+}
+
+/// Weights that need both ends of a pair are made when the maps of copies have come.
+template <int D>
+void TotalLagrangian<D>::make_weights(const Particles<D>& particles, const std::vector<double>& support_radius) {
+  const PairSource<D> source{particles, pairs_};
+  const WeightOptions options = weight_options();
+  const std::size_t places = static_cast<std::size_t>(particles.slots) + particles.copies;
+  MapField<D> maps;
+  comm_.together([&] {
+    if (options.mutual()) maps = MapField<D>(places);
+    weights_ = make_pair_weights<D>(source, support_radius, options, options.mutual() ? &maps : nullptr);
+  });
+  if (options.mutual()) {
+    for (MatrixField<D>& part : maps.parts) {
+      halo_.matrices.start(part);
+      halo_.matrices.finish();
+    }
+    add_mutual_weights(source, options, maps, weights_);
+  }
+}
+
+template <int D>
+void TotalLagrangian<D>::make_matrices(const Particles<D>& particles) {
+  const std::size_t places = static_cast<std::size_t>(particles.slots) + particles.copies;
+  const bool rate = options_.deformation_gradient == DeformationGradient::rate;
+  matrices_.slots = particles.slots;
+  if (options_.deformation_gradient != DeformationGradient::direct) matrices_.gradient = MatrixField<D>(places);
+  if (rate) matrices_.rate = MatrixField<D>(particles.slots);
+  if (rate && options_.stages) matrices_.remembered = MatrixField<D>(particles.slots);
+  if (options_.deformation_gradient == DeformationGradient::bond_variational) matrices_.stress = MatrixField<D>(places);
+  if (options_.jst && options_.jst->eta4 > 0.0) matrices_.laplacian = VectorField<D>(places);
+}
+
+/// Coefficients of JST dissipation of each body. The eigenvalues of its Laplacian are not larger than twice the largest sum of its weights (Gershgorin).
+template <int D>
+void TotalLagrangian<D>::make_dissipation() {
+  if (!options_.jst) return;
+  comm_.maximum(weights_.most_trace);
+  comm_.maximum(weights_.most_slope);
+  std::vector<double> smallest(options_.materials.size(), infinity);
+  for (const Block& block : pairs_.blocks.all)
+    for (int slot = block.begin; slot < block.end; ++slot)
+      smallest[block.body] = std::min(smallest[block.body], weights_.radius[slot]);
+  for (double& radius : smallest) radius = -radius;
+  comm_.maximum(smallest);
+  const double customary = std::visit([](const auto& kernel) { return kernel.customary_h; }, options_.kernel);
+  for (std::size_t b = 0; b < options_.materials.size(); ++b) {
+    const double c = std::sqrt(longitudinal_modulus_of(options_.materials[b]) / density_of(options_.materials[b]));
+    dissipation_.push_back(options_.jst->coefficients(c, -smallest[b] / customary));
+    const double most = weights_.most_trace[b] > 0.0 ? 4.0 * D * weights_.most_slope[b] / weights_.most_trace[b] : 0.0;
+    dissipation_rate_ = std::max(dissipation_rate_, dissipation_[b].rate(most));
+  }
 }
 
 /// 2 / omega of the stiffest hourglass mode. Each pair has the shares of both ends, and a mode may move both ends against each other:
@@ -94,118 +143,14 @@ WeightOptions TotalLagrangian<D>::weight_options() const {
   HourglassWeight hourglass = HourglassWeight::none;
   if (options_.hourglass)
     hourglass = options_.hourglass->conservative() ? HourglassWeight::conservative : HourglassWeight::central;
-  return {options_.kernel, options_.correction, hourglass, options_.weights};
-}
-
-/// Room for every thread; only the first call and more threads allocate.
-template <int D>
-void TotalLagrangian<D>::prepare_scratch() {
-  while (scratches_.size() < most_threads()) scratches_.emplace_back(pairs_, options_.viscosity.has_value());
-}
-
-template <int D>
-SweepTask<D> TotalLagrangian<D>::task_of(int index, const PairSource<D>& source, const WeightOptions& weights, PointStep step,
-                                         RecordedState* record) {
-  const Block& block = pairs_.blocks.all[index];
-  BlockScratch<D>& scratch = scratches_[this_thread()];
-  scratch.bring_in(block, source.particles);
-  if (options_.viscosity) scratch.bring_in_velocities(block, source.particles);
-  if (block.has_list && options_.weights == WeightStorage::computed)
-    scratch.bring_in_sizes(block, source.particles, weights_.radius.data());
-  const AnyMaterial& material = options_.materials[block.body];
-  const bool soft = !options_.hourglass || options_.hourglass->plastic_switch;
-  return {block,
-          source,
-          weights_,
-          weights,
-          material_point<D>(material, options_.damage_of(block.body), options_.plane_stress),
-          options_.thickness,
-          density_of(material),
-          options_.hourglass ? options_.hourglass->coefficient() : 0.0,
-          soft ? 0.0 : youngs_modulus_of(material),
-          options_.viscosity ? &*options_.viscosity : nullptr,
-          std::sqrt(youngs_modulus_of(material) / density_of(material)),
-          options_.wave_speed,
-          std::visit([](const auto& m) { return m.elastic.lambda() + 2.0 * m.elastic.mu(); }, material),
-          scratch,
-          history_.of(index),
-          step,
-          record};
-}
-
-template <int D>
-ForceSummary TotalLagrangian<D>::total(const std::vector<ForceSummary>& of_blocks) {
-  ForceSummary total;
-  for (const ForceSummary& part : of_blocks) {
-    total.strain_energy += part.strain_energy;
-    total.hourglass_energy += part.hourglass_energy;
-    total.released += part.released;
-    total.plastic_work += part.plastic_work;
-    total.damage_work += part.damage_work;
-    total.viscous_power += part.viscous_power;
-    total.smallest_jacobian = std::min(total.smallest_jacobian, part.smallest_jacobian);
-    total.largest_rate2 = std::max(total.largest_rate2, part.largest_rate2);
-  }
-  total.finite = std::isfinite(total.strain_energy);
-  return total;
-}
-
-/// Calls work(block) for all blocks. Displacements of copies are on their way during the first half of the blocks that do not need them, forces on
-/// copies during the second half.
-template <int D>
-template <class Work>
-void TotalLagrangian<D>::sweep_blocks(Particles<D>& particles, Work&& work, bool forces_go_back) {
-  const std::size_t half = edge_.empty() ? inner_.size() : inner_.size() / 2;
-  const std::span<const int> inner(inner_), first = inner.first(half), second = inner.subspan(half);
-  const bool many = particles.slots >= fewest_for_threads;
-  prepare_scratch();
-  if (options_.viscosity) {
-    halo_.displacements.start(particles.velocity);
-    halo_.displacements.finish();
-  }
-  halo_.displacements.start(particles.displacement);
-  for_each_block(first, many, work, [&] { halo_.displacements.progress(); });
-  halo_.displacements.finish();
-  for_each_block(edge_, many, work, [] {});
-  if (forces_go_back) halo_.forces.start(spilled_);
-  for_each_block(second, many, work, [&] { halo_.forces.progress(); });
-  if (forces_go_back) halo_.forces.finish();
-}
-
-template <int D>
-ForceSummary TotalLagrangian<D>::internal_forces(Particles<D>& particles, VectorField<D>& forces, PointStep step, Finish finish,
-                                                 RecordedState* record) {
-  const PairSource<D> source{particles, pairs_};
-  const WeightOptions weights = weight_options();
-  const auto complete = [&](int index) {
-    add_spilled(pairs_.blocks, index, spilled_, forces);
-    finish(pairs_.blocks.all[index].begin, pairs_.blocks.all[index].end);
-  };
-  const auto work = [&](int index) {
-    const SweepTask<D> task = task_of(index, source, weights, step, record);
-    summaries_[index] = sweep_block<D>(task);
-    task.scratch.hand_out(task.block, forces, spilled_);
-    countdown_.done(index, complete);
-  };
-  countdown_.start();
-  sweep_blocks(particles, work, true);
-  for_each_block(
-      pairs_.blocks.awaiting, true, [&](int index) { countdown_.received(index, complete); }, [] {});
-  return total(summaries_);
-}
-
-template <int D>
-ForceSummary TotalLagrangian<D>::record(Particles<D>& particles, RecordedState& state) {
-  const PairSource<D> source{particles, pairs_};
-  const WeightOptions weights = weight_options();
-  const auto work = [&](int index) {
-    const SweepTask<D> task = task_of(index, source, weights, {}, &state);
-    recorded_[index] = sweep_block<D>(task);
-    task.scratch.discard(task.block);
-  };
-  recorded_.resize(summaries_.size());
-  sweep_blocks(particles, work, false);
-  return total(recorded_);
+  WeightOptions options{options_.kernel, options_.correction, hourglass, options_.weights};
+  if (options_.averages())
+    options.average =
+        options_.deformation_gradient == DeformationGradient::bond_variational ? BondAverage::mutual : BondAverage::own;
+  options.symmetric = options_.momentum == MomentumForm::symmetric;
+  options.vectors = options_.deformation_gradient == DeformationGradient::rate;
+  options.dissipation = options_.jst.has_value();
+  return options;
 }
 
 /// Energies of the blocks that have changed; what they have lost is released.
@@ -279,7 +224,7 @@ Vec<double, D> TotalLagrangian<D>::toward_neighbors(const Particles<D>& particle
 
 template <int D>
 std::size_t TotalLagrangian<D>::bytes() const {
-  std::size_t bytes = pairs_.bytes() + weights_.bytes() + history_.bytes() + spilled_.bytes();
+  std::size_t bytes = matrices_.bytes() + pairs_.bytes() + weights_.bytes() + history_.bytes() + spilled_.bytes();
   for (const BlockScratch<D>& scratch : scratches_) bytes += scratch.bytes();
   return bytes;
 }

@@ -13,6 +13,7 @@
 #include <sinew/core/function_ref.hpp>
 #include <sinew/formulations/history.hpp>
 #include <sinew/formulations/pair_weights.hpp>
+#include <sinew/formulations/particle_matrices.hpp>
 #include <sinew/neighbors/block_scratch.hpp>
 #include <sinew/neighbors/cracks.hpp>
 #include <sinew/parallel/share.hpp>
@@ -27,7 +28,7 @@ struct ForceSummary {
   double released = 0.0;       ///< what the hourglass stiffness has lost since the last step, since flow has softened it [energy]
   double plastic_work = 0.0;   ///< dissipated in all of the past [energy]
   double damage_work = 0.0;    ///< likewise by damage [energy]
-  double viscous_power = 0.0;  ///< taken by artificial viscosity [energy/time]
+  double viscous_power = 0.0;  ///< taken by artificial viscosity and JST dissipation [energy/time]
   double smallest_jacobian = 1.0;  ///< min det F
   double largest_rate2 = 0.0;      ///< max of (fastest wave speed / length)^2 [1/time^2]
   bool fails = false;              ///< whether the damage of a particle has become 1 in this step
@@ -63,6 +64,10 @@ struct TotalLagrangianOptions {
   WeightStorage weights = WeightStorage::automatic;
   bool lattice = true;  ///< look for regular arrangements
   std::optional<ArtificialViscosity> viscosity{};
+  std::optional<JstDissipation> jst{};
+  DeformationGradient deformation_gradient = DeformationGradient::direct;
+  MomentumForm momentum = MomentumForm::adjoint;
+  bool stages = false;  ///< several evaluations a step: gradients that are integrated in time go on in advance_gradients()
   std::vector<std::optional<AnyDamage>> damages{};  ///< one a body, or empty: none
   WaveSpeed wave_speed = WaveSpeed::bound;
 
@@ -76,6 +81,12 @@ struct TotalLagrangianOptions {
     return damage && std::visit([](const auto& model) { return model.growth.separate; }, *damage);
   }
   bool separates() const;  ///< any body
+  bool averages() const { return deformation_gradient >= DeformationGradient::bond; }
+  bool needs_velocities() const { return viscosity || jst || deformation_gradient == DeformationGradient::rate; }
+  /// All but the original method: its extensions work with pair lists.
+  bool extended() const {
+    return jst || deformation_gradient != DeformationGradient::direct || momentum != MomentumForm::adjoint;
+  }
 };
 
 /// Energies of all particles of all ranks.
@@ -88,6 +99,8 @@ bool may_use_lattice(const TotalLagrangianOptions& options);
 
 template <int D>
 struct SweepTask;
+template <int D>
+struct NeighborTask;
 template <int D>
 class Separation;
 
@@ -113,6 +126,11 @@ class TotalLagrangian {
   ForceSummary internal_forces(Particles<D>& particles, VectorField<D>& forces) {
     return internal_forces(particles, forces, {0.0, HistoryUse::advance}, [](int, int) {});
   }
+  /// Gradients that are integrated in time (DeformationGradient::rate) begin as those of the current displacements.
+  void begin_gradients(Particles<D>& particles);
+  ParticleMatrices<D>& matrices() { return matrices_; }
+  const ParticleMatrices<D>& matrices() const { return matrices_; }
+
   /// The same sweep for what it keeps alone; histories stay.
   ForceSummary record(Particles<D>& particles, RecordedState& state);
   /// Of the state of the last evaluation of the forces.
@@ -133,6 +151,8 @@ class TotalLagrangian {
 
   /// Upper limit of the time step from the hourglass stiffness, 2 / omega; infinity without it.
   double hourglass_time_step() const { return hourglass_time_step_; }
+  /// Fastest damping by JST dissipation [1/time].
+  double dissipation_rate() const { return dissipation_rate_; }
   /// sum_j V_j |dW/dr| / r X_ij: points from a particle to its neighbors [1/length].
   Vec<double, D> toward_neighbors(const Particles<D>& particles, int slot) const;
   const BlockPairs<D>& pairs() const { return pairs_; }
@@ -144,8 +164,26 @@ class TotalLagrangian {
  private:
   SweepTask<D> task_of(int block, const PairSource<D>& source, const WeightOptions& weights, PointStep step,
                        RecordedState* record);
+  NeighborTask<D> neighbor_task(int block, const PairSource<D>& source);
+  struct Traffic {
+    bool displacements = true, forces = false;
+  };
   template <class Work>
-  void sweep_blocks(Particles<D>& particles, Work&& work, bool forces_go_back);
+  void sweep_blocks(Particles<D>& particles, Work&& work, const Traffic& traffic);
+  template <class Work>
+  void sweep_all(Particles<D>& particles, Work&& work);
+  template <class Work>
+  void sweep_to_forces(Particles<D>& particles, VectorField<D>& forces, Finish finish, const Traffic& traffic, Work&& work);
+  void bring_copies(Particles<D>& particles);
+  void prepare(Particles<D>& particles);
+  void find_gradients_of_all(Particles<D>& particles);
+  void find_laplacians_of_all(Particles<D>& particles);
+  void add_adjoint_forces(Particles<D>& particles, VectorField<D>& forces, Finish finish);
+  double laplacian_scale(int body) const;
+  void make_weights(const Particles<D>& particles, const std::vector<double>& support_radius);
+  void make_matrices(const Particles<D>& particles);
+  void make_dissipation();
+  void bring_in_dissipated(const Block& block, const Particles<D>& particles, BlockScratch<D>& scratch) const;
   static ForceSummary total(const std::vector<ForceSummary>& of_blocks);
 
   Separation<D> separation(const Particles<D>& particles, const WeightOptions& weights);
@@ -163,7 +201,9 @@ class TotalLagrangian {
   std::vector<int> inner_, edge_;  ///< blocks that reach no copies, and those that do
   BlockCountdown countdown_;
   PairWeights<D> weights_;
-  double hourglass_time_step_ = infinity;
+  double hourglass_time_step_ = infinity, dissipation_rate_ = 0.0;
+  std::vector<JstDissipation::Coefficients> dissipation_;  ///< one a body
+  ParticleMatrices<D> matrices_;
   HistoryStore history_;
   Cracks<D> cracks_;
   std::vector<ForceSummary> summaries_;     ///< one a block, of the last evaluation of the forces

@@ -7,6 +7,16 @@ std::string_view name_of(WaveSpeed speed) {
   return names[static_cast<int>(speed)];
 }
 
+std::string_view name_of(DeformationGradient form) {
+  constexpr std::string_view names[] = {"direct", "rate", "bond", "bond_variational"};
+  return names[static_cast<int>(form)];
+}
+
+std::string_view name_of(MomentumForm form) {
+  constexpr std::string_view names[] = {"adjoint", "symmetric"};
+  return names[static_cast<int>(form)];
+}
+
 bool TotalLagrangianOptions::separates() const {
   for (std::size_t body = 0; body < damages.size(); ++body)
     if (separates(body)) return true;
@@ -14,7 +24,8 @@ bool TotalLagrangianOptions::separates() const {
 }
 
 bool may_use_lattice(const TotalLagrangianOptions& options) {
-  return options.lattice && !options.separates() && std::visit([](const auto& c) { return c.radial; }, options.correction);
+  return options.lattice && !options.separates() && !options.extended() &&
+         std::visit([](const auto& c) { return c.radial; }, options.correction);
 }
 
 }  // namespace sinew

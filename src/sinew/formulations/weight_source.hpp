@@ -47,21 +47,27 @@ struct ComputedWeights {
   }
 };
 
-/// Stored vectors, and hourglass weights if there are any.
+/// Stored vectors, and other weights as they are needed.
 template <int D>
 struct StoredVectors {
   using Weight = VectorWeight<Pack, D>;
   static constexpr bool computed = false, radial = false;
   const double* gradient;
-  const double* hourglass;  ///< nullptr: none
+  const double* force;                ///< vectors that carry the stress: those of the gradient, or others
+  const double* hourglass = nullptr;  ///< nullptr: none
+  const double* average = nullptr;    ///< not read unless it is asked for
   SINEW_INLINE void prefetch(std::size_t) const {}
 
   using Shared = int;
   SINEW_INLINE int of_slice(int place) const { return place; }
   SINEW_INLINE Weight stored(std::size_t entry) const {
     Weight w;
-    for (int c = 0; c < D; ++c) w.gradient[c] = Pack::load(gradient + lanes * (D * entry + c));
+    for (int c = 0; c < D; ++c) {
+      w.gradient[c] = Pack::load(gradient + lanes * (D * entry + c));
+      w.force_vector[c] = Pack::load(force + lanes * (D * entry + c));
+    }
     w.hourglass = hourglass ? Pack::load(hourglass + lanes * entry) : Pack(0.0);
+    w.average = average ? Pack::load(average + lanes * entry) : Pack(0.0);
     return w;
   }
   SINEW_INLINE Weight at(std::size_t entry, const PlaceIndex*, const Vec<Pack, D>&, int) const { return stored(entry); }

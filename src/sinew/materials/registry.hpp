@@ -20,4 +20,15 @@ using DeformableMaterials = Joined<ElasticMaterials, PlasticMaterials>;
 using Materials = Joined<DeformableMaterials, TypeList<Rigid>>;
 using AnyMaterial = Materials::Variant;
 
+inline double density_of(const AnyMaterial& material) {
+  return std::visit([](const auto& m) { return m.density; }, material);
+}
+inline double youngs_modulus_of(const AnyMaterial& material) {
+  return std::visit([](const auto& m) { return m.elastic.youngs_modulus; }, material);
+}
+/// lambda + 2 mu: density times the square of the speed of longitudinal waves at rest [pressure].
+inline double longitudinal_modulus_of(const AnyMaterial& material) {
+  return std::visit([](const auto& m) { return m.elastic.lambda() + 2.0 * m.elastic.mu(); }, material);
+}
+
 }  // namespace sinew

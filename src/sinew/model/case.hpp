@@ -69,6 +69,8 @@ struct FormulationCase {
   std::optional<double> neighbors;  ///< radius per particle so that about this many neighbors are inside it
   AnyCorrection correction = GradientCorrection{};
   std::string deformation_gradient = "direct";
+  std::string momentum = "adjoint";
+  bool project_angular_momentum = false;
   std::vector<AnyStabilization> stabilizations{HourglassStiffness{}};
   Place place;
 
@@ -82,8 +84,17 @@ struct FormulationCase {
     field("neighbors", m.neighbors, no_unit, "Instead of `support`: a radius per particle with about this many neighbors inside.",
           at_least_one, optional);
     field("correction", m.correction, no_unit, "Correction of the kernel gradient.", optional);
-    field("deformation_gradient", m.deformation_gradient, no_unit, "How the deformation gradient is computed.", optional,
-          OneOf{{"direct"}});
+    field("deformation_gradient", m.deformation_gradient, no_unit,
+          "How the deformation gradient is computed: direct, from displacements; rate, integrated in time from velocities; bond, "
+          "averaged over the bonds of a particle; bond_variational, the same, with the force that conserves its energy.",
+          optional, OneOf{{"direct", "rate", "bond", "bond_variational"}});
+    field("momentum", m.momentum, no_unit,
+          "How stress becomes force: adjoint, what conserves energy with direct; symmetric, the mean stress of a pair. If not "
+          "given, symmetric for rate and bond, adjoint for the others.",
+          optional, OneOf{{"adjoint", "symmetric"}});
+    field("project_angular_momentum", m.project_angular_momentum, no_unit,
+          "Take the net moment out of the internal forces of each body, for methods that do not conserve angular momentum.",
+          optional);
     field("stabilization", m.stabilizations, no_unit, "Treatments of zero-energy modes; [] or \"none\" for none.", optional);
   }
 };

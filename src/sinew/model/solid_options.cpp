@@ -1,4 +1,5 @@
 #include <sinew/model/solid_options.hpp>
+#include <sinew/time/runge_kutta.hpp>
 
 #include <string>
 
@@ -22,6 +23,8 @@ TotalLagrangianOptions total_lagrangian_options(const Case& c) {
   for (const AnyStabilization& s : c.formulation.stabilizations)
     if (const auto* hourglass = std::get_if<HourglassStiffness>(&s)) {
       if (hourglass->alpha > 0.0) options.hourglass = *hourglass;
+    } else if (const auto* jst = std::get_if<JstDissipation>(&s)) {
+      if (jst->eta2 > 0.0 || jst->eta4 > 0.0) options.jst = *jst;
     } else {
       options.viscosity = std::get<ArtificialViscosity>(s);
     }
@@ -33,6 +36,10 @@ TotalLagrangianOptions total_lagrangian_options(const Case& c) {
   options.lattice = c.solver.lattice == "auto";
   for (WaveSpeed speed : {WaveSpeed::stretch, WaveSpeed::reference})
     if (c.solver.wave_speed == name_of(speed)) options.wave_speed = speed;
+  for (DeformationGradient form : {DeformationGradient::rate, DeformationGradient::bond, DeformationGradient::bond_variational})
+    if (c.formulation.deformation_gradient == name_of(form)) options.deformation_gradient = form;
+  if (c.formulation.momentum == name_of(MomentumForm::symmetric)) options.momentum = MomentumForm::symmetric;
+  options.stages = c.solver.integrator == RungeKutta3::name;
   if (c.general.dimension == 3) options.plane_stress = false, options.thickness = 1.0;
   return options;
 }

@@ -1,6 +1,5 @@
 #include <sinew/model/solid_options.hpp>
 #include <sinew/model/solid_simulation.hpp>
-#include <sinew/time/velocity_verlet.hpp>
 
 #include <fmt/format.h>
 
@@ -16,6 +15,9 @@ std::vector<GeneratedBody> bodies_of(const Case& c, const Comm& comm) {
   comm.together([&] { bodies = generate_bodies(c, comm); });
   return bodies;
 }
+
+/// Rate of damping times time step that the integrator can do with.
+double borne_damping(const Case& c) { return c.solver.integrator == RungeKutta3::name ? 2.5 : 1.25; }
 
 }  // namespace
 
@@ -42,11 +44,13 @@ SolidSimulation<D>::SolidSimulation(const Case& c, const Comm& comm, const std::
       contacts_(make_contacts(c, particles_, setup.support_radius, comm)),
       gravity_(constant_body_force<D>(c)),
       probes_(c, regions_),
-      step_size_{c.solver.cfl, solid_.hourglass_time_step(), c.solver.time_step.value_or(0.0)},
+      step_size_{c.solver.cfl, solid_.hourglass_time_step(), borne_damping(c) / solid_.dissipation_rate(),
+                 c.solver.time_step.value_or(0.0)},
       order_(comm, particles_.user_index),
       dissipated_(particles_.blocks.size(), 0.0),
       dissipation_rate_(particles_.blocks.size(), 0.0) {
   if (c.solver.integrator == RungeKutta3::name) stages_.emplace(particles_.slots);
+  if (c.formulation.project_angular_momentum) projection_.emplace();
   wants_hourglass_error_ = probes_.need_hourglass_error();
   set_initial_state(c, regions_, comm, particles_);
   start();
@@ -58,14 +62,23 @@ template <int D>
 void SolidSimulation<D>::start() {
   motion_.remember(particles_);
   guard([&] { motion_.move(particles_, 0.0, 0.0); });
+  solid_.begin_gradients(particles_);
   update_forces(0.0);
   check_initial_contacts(case_, contacts_, particles_, comm_);
   first_time_step_ = stable_time_step();
   check_initial_state();
   comm_.together([&] { motion_.begin(particles_, first_time_step_, case_.solver.damping); });
-  if (case_.solver.damping > 0.0) count_dissipation(0.0);
+  if (!solid_.matrices().rate.empty()) find_first_rates();
+  count_dissipation(0.0);
   initial_energy_ = energies().total() + energies().dissipated;
   initial_gravity_work_ = totals().gravity_work;
+}
+
+/// Of gradients that are integrated in time, now that prescribed particles have their velocities.
+template <int D>
+void SolidSimulation<D>::find_first_rates() {
+  solid_.internal_forces(particles_, forces_, {0.0, HistoryUse::respond}, [](int, int) {});
+  forces_.clear();
 }
 
 template <int D>
@@ -107,19 +120,32 @@ template <int D>
 void SolidSimulation<D>::advance_in_stages(double dt) {
   const double damping = case_.solver.damping;
   stages_->begin(particles_);
+  solid_.matrices().remember();
   for (const RungeKutta3::Stage& stage : RungeKutta3::stage) {
     const double when = time_ + stage.when * dt;
     stages_->advance(particles_, stage, dt, damping);
+    solid_.matrices().advance(stage.begin, stage.rest, dt);
     timer_.mark("drift");
     guard([&] { motion_.impose(particles_, when, dt); });
     timer_.mark("boundary");
     if (&stage == &RungeKutta3::stage[RungeKutta3::stages - 1]) return;
     guard([&] { loads_.add(particles_, when, forces_); });
     timer_.mark("boundary");
-    solid_.internal_forces(particles_, forces_, {stage.when * dt, HistoryUse::respond},
-                           AccelerateAndKick<D>{particles_, forces_, gravity_, 0.0, 0.0});
+    internal_forces({stage.when * dt, HistoryUse::respond}, {particles_, forces_, gravity_, 0.0, 0.0}, nullptr);
     timer_.mark("forces and kick");
   }
+}
+
+/// Adds the internal forces to those that are there, and kicks.
+template <int D>
+ForceSummary SolidSimulation<D>::internal_forces(PointStep step, const AccelerateAndKick<D>& kick, RecordedState* recorded) {
+  if (!projection_) return solid_.internal_forces(particles_, forces_, step, kick, recorded);
+  projection_->begin(comm_, particles_, forces_);
+  const ForceSummary summary = solid_.internal_forces(
+      particles_, forces_, step, [](int, int) {}, recorded);
+  projection_->project(comm_, particles_, forces_);
+  for_each_piece(particles_.slots, kick);
+  return summary;
 }
 
 template <int D>
@@ -130,15 +156,13 @@ void SolidSimulation<D>::update_forces(double dt) {
   timer_.mark("contact");
   RecordedState* const recorded = std::exchange(record_expected_, false) ? &room_for_record() : nullptr;
   const AccelerateAndKick<D> kick{particles_, forces_, gravity_, stages_ ? 0.0 : dt, stages_ ? 0.0 : case_.solver.damping};
-  summary_ = solid_.internal_forces(particles_, forces_, {dt, HistoryUse::advance}, kick, recorded);
+  summary_ = internal_forces({dt, HistoryUse::advance}, kick, recorded);
   if (recorded) recorded_step_ = steps_;
   timer_.mark("forces and kick");
   if (solid_.options().separates() && solid_.separate(particles_)) mind_cracks();
   timer_.mark("separation");
-  for (std::size_t b = 0; b < dissipated_.size(); ++b)
-    dissipated_[b] += solid_.block_summaries()[b].released + dt * solid_.block_summaries()[b].viscous_power;
   guard([&] { motion_.hold(particles_, time_, dt, case_.solver.damping); });
-  if (case_.solver.damping > 0.0) count_dissipation(dt);
+  if (time_ > 0.0) count_dissipation(dt);
   timer_.mark("boundary");
   share_limits();
   timer_.mark("time step");
@@ -189,78 +213,17 @@ void SolidSimulation<D>::share_limits() {
   contact_.approach = limits[5];
 }
 
-/// Trapezoidal rule for the power of the damping, c sum m v^2.
+/// What the hourglass stiffness has lost, and by the trapezoidal rule the powers of damping, c sum m v^2, viscosity and JST dissipation.
 template <int D>
 void SolidSimulation<D>::count_dissipation(double dt) {
-  kinetic_energies(particles_, kinetic_);
-  for (std::size_t b = 0; b < kinetic_.size(); ++b) {
-    const double rate = 2.0 * case_.solver.damping * kinetic_[b];
-    dissipated_[b] += 0.5 * dt * (dissipation_rate_[b] + rate);
+  const double damping = case_.solver.damping;
+  if (damping > 0.0) kinetic_energies(particles_, kinetic_);
+  for (std::size_t b = 0; b < dissipated_.size(); ++b) {
+    const ForceSummary& block = solid_.block_summaries()[b];
+    const double rate = block.viscous_power + (damping > 0.0 ? 2.0 * damping * kinetic_[b] : 0.0);
+    dissipated_[b] += block.released + 0.5 * dt * (dissipation_rate_[b] + rate);
     dissipation_rate_[b] = rate;
   }
-}
-
-template <int D>
-Energies SolidSimulation<D>::energies() {
-  std::vector<double> partial;
-  for (std::size_t b = 0; b < dissipated_.size(); ++b) {
-    const ContactSums contact = contacts_.sums()[b];
-    partial.insert(partial.end(),
-                   {motion_.work()[b] + loads_.work()[b] + contact.work, dissipated_[b] + contact.dissipated, contact.energy});
-  }
-  const std::vector<double> sums = sum_over_blocks(comm_, particles_.block_numbers(), partial, 3);
-  Energies e;
-  e.kinetic = totals().kinetic;
-  e.strain = stored_energy().strain;
-  e.hourglass = stored_energy().hourglass;
-  e.external_work = sums[0] + totals().gravity_work - initial_gravity_work_;
-  e.contact = sums[2];
-  e.plastic_work = stored_energy().plastic_work;
-  e.damage_work = stored_energy().damage_work;
-  e.dissipated = sums[1] + e.plastic_work + e.damage_work;
-  e.initial = initial_energy_;
-  return e;
-}
-
-template <int D>
-const Totals& SolidSimulation<D>::totals() {
-  if (totals_step_ != steps_) totals_ = totals_of(comm_, particles_, gravity_);
-  totals_step_ = steps_;
-  return totals_;
-}
-
-template <int D>
-const StoredEnergy& SolidSimulation<D>::stored_energy() {
-  if (stored_step_ != steps_) stored_ = solid_.stored_energy();
-  stored_step_ = steps_;
-  return stored_;
-}
-
-template <int D>
-RecordedState& SolidSimulation<D>::room_for_record() {
-  if (!record_) {
-    record_ = std::make_unique<RecordedState>(particles_.slots);
-    if (solid_.history().width() > 0) record_->inelastic = VectorField<4>(particles_.slots);
-  }
-  if (wants_hourglass_error_ && record_->hourglass_error.size() != static_cast<std::size_t>(particles_.slots)) {
-    record_->hourglass_error = AlignedArray<double>(particles_.slots);
-    recorded_step_ = -1;
-  }
-  return *record_;
-}
-
-template <int D>
-const RecordedState& SolidSimulation<D>::record() {
-  RecordedState& state = room_for_record();
-  if (recorded_step_ != steps_) solid_.record(particles_, state);
-  recorded_step_ = steps_;
-  return state;
-}
-
-template <int D>
-std::vector<double> SolidSimulation<D>::probe_values() {
-  const RecordedState* state = probes_.need_record() ? &record() : nullptr;
-  return probes_.values({comm_, particles_, solid_, motion_, contacts_, state, energies(), momenta(), time_, stable_time_step()});
 }
 
 /// Waiting for other ranks is part of "forces and kick".
@@ -268,7 +231,8 @@ template <int D>
 std::map<std::string, double> SolidSimulation<D>::pass_seconds() const {
   std::map<std::string, double> seconds(timer_.seconds().begin(), timer_.seconds().end());
   if (!comm_.alone())
-    seconds["waiting for other ranks"] = solid_.halo().displacements.seconds_waited() + solid_.halo().forces.seconds_waited();
+    seconds["waiting for other ranks"] = solid_.halo().displacements.seconds_waited() + solid_.halo().matrices.seconds_waited() +
+                                         solid_.halo().forces.seconds_waited();
   return seconds;
 }
 

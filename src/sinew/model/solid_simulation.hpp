@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 #include <sinew/core/timer.hpp>
+#include <sinew/formulations/angular_projection.hpp>
 #include <sinew/model/conditions.hpp>
 #include <sinew/model/contacts.hpp>
 #include <sinew/model/probes.hpp>
@@ -14,6 +15,7 @@
 #include <sinew/parallel/user_order.hpp>
 #include <sinew/time/runge_kutta.hpp>
 #include <sinew/time/step_size.hpp>
+#include <sinew/time/velocity_verlet.hpp>
 
 namespace sinew {
 
@@ -54,9 +56,11 @@ class SolidSimulation final : public Simulation {
   SolidSimulation(const Case& c, const Comm& comm, const std::vector<GeneratedBody>& bodies, SolidSetup<D> setup,
                   const Stopwatch& watch);
   void start();
+  void find_first_rates();
   void check_initial_state() const;
   void advance_in_stages(double dt);
   void update_forces(double dt);
+  ForceSummary internal_forces(PointStep step, const AccelerateAndKick<D>& kick, RecordedState* recorded);
   void mind_cracks();
   void count_dissipation(double dt);
   void check_same_parts(const SavedState& state);
@@ -92,6 +96,7 @@ class SolidSimulation final : public Simulation {
   Probes<D> probes_;
   StepSize step_size_;
   std::optional<RungeKuttaStep<D>> stages_;  ///< nothing: velocity Verlet
+  std::optional<AngularProjection<D>> projection_;
   UserOrder order_;
   PassTimer timer_{"drift", "boundary", "contact", "forces and kick", "separation", "time step"};
 
@@ -100,7 +105,7 @@ class SolidSimulation final : public Simulation {
   ForceSummary summary_;  ///< of the current state; its limits (Jacobian, rate) are those of all ranks
   ContactSums contact_;   ///< of all ranks; only what limits the time step
   double first_time_step_ = 0.0;
-  std::vector<double> dissipated_, dissipation_rate_;  ///< by damping, of each block [energy], [energy/time]
+  std::vector<double> dissipated_, dissipation_rate_;  ///< by damping and viscosity, of each block [energy], [energy/time]
   std::vector<double> kinetic_;                        ///< scratch
   double initial_energy_ = 0.0, initial_gravity_work_ = 0.0;
   std::unique_ptr<RecordedState> record_;

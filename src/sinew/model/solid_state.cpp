@@ -129,6 +129,10 @@ SavedState SolidSimulation<D>::save() {
   s.fields["reference_position"] = in_users_order(particles_.position, order_);
   s.fields["velocity"] = in_users_order(particles_.velocity, order_);
   s.fields["acceleration"] = in_users_order(particles_.acceleration, order_);
+  if (!solid_.matrices().rate.empty()) {
+    s.fields["integrated_gradient"] = in_users_order(solid_.matrices().gradient, order_);
+    s.fields["gradient_rate"] = in_users_order(solid_.matrices().rate, order_);
+  }
   if (solid_.history().width() > 0) s.fields["history"] = in_users_order(solid_.history(), particles_, order_);
   std::vector<double> of_blocks, reactions;
   for (std::size_t b = 0; b < particles_.blocks.size(); ++b)
@@ -169,6 +173,10 @@ void SolidSimulation<D>::restore(const SavedState& s) {
   from_users_order(s.fields.at("displacement"), order_, particles_.displacement);
   from_users_order(s.fields.at("velocity"), order_, particles_.velocity);
   from_users_order(s.fields.at("acceleration"), order_, particles_.acceleration);
+  if (!solid_.matrices().rate.empty()) {
+    from_users_order(s.fields.at("integrated_gradient"), order_, solid_.matrices().gradient);
+    from_users_order(s.fields.at("gradient_rate"), order_, solid_.matrices().rate);
+  }
   if (solid_.history().width() > 0) from_users_order(s.fields.at("history"), particles_, order_, solid_.history());
   if (const auto failed = s.arrays.find("failed"); failed != s.arrays.end()) {
     solid_.restore_cracks(particles_, failed->second, s.arrays.at("most_stiffness"));

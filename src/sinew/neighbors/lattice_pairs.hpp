@@ -20,6 +20,7 @@ template <int D, class Weights>
 class LatticePairs {
  public:
   using Weight = typename Weights::Weight;
+  static constexpr bool listed = false, vectors = false;
   static constexpr int slices_together = 4;  ///< whose first visits may come before their other visits
 
   SINEW_INLINE LatticePairs(const LatticePairsData<D>& data, const Weights& weights)

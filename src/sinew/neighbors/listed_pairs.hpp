@@ -34,6 +34,7 @@ template <int D, class Weights>
 class ListedPairs {
  public:
   using Weight = typename Weights::Weight;
+  static constexpr bool listed = true, vectors = !Weights::radial;
   static constexpr int slices_together = 1;                          ///< whose first visits may come before their other visits
   static constexpr int width = 2 * D + (Weights::computed ? 2 : 0);  ///< packs kept of a pair
 
@@ -48,6 +49,12 @@ class ListedPairs {
   /// use(weight, u_ij, X_ij).
   template <class Use>
   SINEW_INLINE void first_visit(Use&& use) {
+    first_visit_with(NoRows{},
+                     [&](const Weight& weight, const Vec<Pack, D>& u, const Vec<Pack, D>& X, int) { use(weight, u, X); });
+  }
+  /// use(weight, u_ij, X_ij, rows of j). `Rows` is MatrixRows or VectorRows.
+  template <class Rows, class Use>
+  SINEW_INLINE void first_visit_with(const Rows& rows, Use&& use) {
     const PlacePack<D> own = load_places<D>(data_.place_rows, OwnPlaces(place_).place);
     const auto shared = weights_.of_slice(place_);
     double* kept = data_.kept;
@@ -64,8 +71,23 @@ class ListedPairs {
       }
       if constexpr (Weights::computed) weight.store(kept + lanes * 2 * D);
       kept += lanes * width;
-      use(weight, u, X);
+      use(weight, u, X, rows.load(index));
     }
+  }
+  template <class Rows>
+  SINEW_INLINE auto own(const Rows& rows) const {
+    return rows.load(OwnPlaces(place_).place);
+  }
+  /// sum_j weight_ij (z_j - z_i). `weights`: one a pair, entry by entry.
+  SINEW_INLINE Vec<Pack, D> sum_differences(const VectorRows<D>& z, const double* weights) const {
+    Vec<Pack, D> sum;
+    const Vec<Pack, D> z_i = own(z);
+    for (std::size_t e = begin_; e < end_; ++e) sum += Pack::load(weights + lanes * e) * (z.load(data_.pairs.entry(e)) - z_i);
+    return sum;
+  }
+  /// Adds a force to the particles themselves.
+  SINEW_INLINE void add_to_own(const Vec<Pack, D>& force) const {
+    subtract_rows(data_.force_rows, OwnPlaces(place_).place, -force);
   }
 
   /// use(weight, u_ij, X_ij) again.
@@ -104,6 +126,10 @@ class ListedPairs {
   }
 
  private:
+  struct NoRows {
+    SINEW_INLINE int load(const PlaceIndex*) const { return 0; }
+  };
+
   static SINEW_INLINE Vec<Pack, D> pick(const double* from) {
     Vec<Pack, D> v;
     for (int c = 0; c < D; ++c) v[c] = Pack::load(from + lanes * c);

@@ -85,9 +85,9 @@ void renumber(BlockPairs<D>& pairs, const Share& share) {
     if (slot != Blocks::nobody) slot = share.local_of[slot];
 }
 
-/// Displacements of copies, in the order in which they are kept here.
+/// Displacements and matrices of copies, in the order in which they are kept here; no forces yet.
 template <int D>
-Exchange exchange_of_copies(const Comm& comm, const Share& share) {
+Halo halo_of_copies(const Comm& comm, const Share& share) {
   std::vector<std::vector<int>> wanted(comm.size());
   std::vector<Parcel> in, out;
   int next = share.slots;
@@ -103,7 +103,7 @@ Exchange exchange_of_copies(const Comm& comm, const Share& share) {
     for (const int slot : asked[rank]) add_stretch(parcel.stretches, share.local_of[slot], 1);
     if (!parcel.stretches.empty()) out.push_back(std::move(parcel));
   }
-  return {comm, D, VectorField<D>::stride_of(next), out, in};
+  return {{comm, D, VectorField<D>::stride_of(next), out, in}, {comm, D * D, VectorField<D * D>::stride_of(next), out, in}, {}};
 }
 
 }  // namespace
@@ -180,7 +180,9 @@ Halo distribute(const Comm& comm, const Share& share, BlockPairs<D>& pairs) {
   for (int rank = 0; rank < comm.size(); ++rank)
     if (!descriptions[rank].empty()) in.push_back(append_received(rank, descriptions[rank], share, blocks));
   blocks.connect();
-  return {exchange_of_copies<D>(comm, share), {comm, D, VectorField<D>::stride_of(blocks.ghosts), out, in}};
+  Halo halo = halo_of_copies<D>(comm, share);
+  halo.forces = {comm, D, VectorField<D>::stride_of(blocks.ghosts), out, in};
+  return halo;
 }
 
 template Share make_share<2>(const Comm&, const Arrangement<2>&, std::vector<int>, const Blocks&);

@@ -30,9 +30,10 @@ Share make_share(const Comm& comm, const Arrangement<D>& all, std::vector<int> o
 template <int D>
 Arrangement<D> part_of(const Arrangement<D>& all, const Share& share);
 
-/// The two exchanges of a step: displacements of copies come in, forces on them go back.
+/// The exchanges of a step: displacements of copies come in (and other vectors, and matrices), forces on them go back.
 struct Halo {
   Exchange displacements;
+  Exchange matrices;
   Exchange forces;
 };
 

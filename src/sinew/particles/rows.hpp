@@ -47,6 +47,35 @@ SINEW_INLINE Vec<Pack, D> load_vectors(const double* rows, const Index* index) {
   return v;
 }
 
+/// D x D matrices by place, to be loaded whole: two rows of each as a place row, the third (3D) as a vector row.
+template <int D>
+struct MatrixRows {
+  const double* first;
+  const double* third;  ///< 3D only
+
+  template <class Index>
+  SINEW_INLINE Mat<Pack, D> load(const Index* index) const {
+    Mat<Pack, D> m;
+    const PlacePack<D> two = load_places<D>(first, index);
+    for (int c = 0; c < D; ++c) m[0][c] = two.u[c], m[1][c] = two.X[c];
+    if constexpr (D == 3) {
+      const Vec<Pack, D> last = load_vectors<D>(third, index);
+      for (int c = 0; c < D; ++c) m[2][c] = last[c];
+    }
+    return m;
+  }
+};
+/// Vectors by place.
+template <int D>
+struct VectorRows {
+  const double* rows;
+
+  template <class Index>
+  SINEW_INLINE Vec<Pack, D> load(const Index* index) const {
+    return load_vectors<D>(rows, index);
+  }
+};
+
 /// Subtracts lane k of `t` from vector row index[k], one lane after the other: equal indices are added up correctly.
 template <int D, class Index>
 SINEW_INLINE void subtract_rows(double* rows, const Index* index, const Vec<Pack, D>& t) {

@@ -109,7 +109,7 @@ TEST(HourglassStiffness, Normalizations) {
   EXPECT_EQ(stiffness.coefficient(), 12.5);
   stiffness.normalization.value = "printed";
   EXPECT_EQ(stiffness.coefficient(), 25.0);
-  EXPECT_EQ(Stabilizations::names(), (std::vector<std::string>{"hourglass_stiffness", "artificial_viscosity"}));
+  EXPECT_EQ(Stabilizations::names(), (std::vector<std::string>{"hourglass_stiffness", "artificial_viscosity", "jst"}));
 }
 
 TEST(HourglassStiffness, PackGivesTheValuesOfItsLanes) {

@@ -59,6 +59,7 @@ void PrescribedMotion<D>::move(Particles<D>& particles, double t, double dt) {
       if (k == 0 || c.function.depends_on_place)
         value = c.function(particles.reference(entry.slot), particles.current(entry.slot), when);
       u = displacement ? value : entry.previous_u + dt * value;
+      if (dt > 0.0) particles.velocity.at(c.component, entry.slot) = (u - entry.previous_u) / dt;
     }
   }
 }

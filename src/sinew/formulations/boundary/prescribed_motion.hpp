@@ -25,7 +25,7 @@ class PrescribedMotion {
   PrescribedMotion(std::vector<MotionCondition> conditions, const Particles<D>& particles);
 
   void remember(const Particles<D>& particles);
-  /// Puts the particles where they have to be at t + dt: u = function(t + dt), or u += dt function(t + dt/2).
+  /// Puts the particles where they have to be at t + dt: u = function(t + dt), or u += dt function(t + dt/2); their velocities are the means over the step.
   void move(Particles<D>& particles, double t, double dt);
   /// At time 0, once the length of the first step is known: gives the particles the velocity and the acceleration with which they begin, without any work.
   void begin(Particles<D>& particles, double dt, double damping);

@@ -1,0 +1,81 @@
+/// Sweeps before and after the one over the materials, for methods that need gradients, Laplacians or stresses of neighbors. All pairs are listed, with vectors (but for Laplacians).
+
+#include <sinew/formulations/slice_slots.hpp>
+#include <sinew/formulations/sweep_dispatch.hpp>
+#include <sinew/formulations/weight_source.hpp>
+#include <sinew/neighbors/listed_pairs.hpp>
+
+namespace sinew {
+
+namespace {
+
+/// Calls use(pairs, slice, its slots) for all slices of a block.
+template <int D, class Use>
+void for_each_slice(const NeighborTask<D>& task, const StoredVectors<D>& weights, Use&& use) {
+  BlockScratch<D>& scratch = task.scratch;
+  const ListedPairsData<D> data{task.source.pairs, scratch.place_rows(), scratch.velocity_rows(), scratch.force_rows(),
+                                scratch.kept()};
+  ListedPairs<D, StoredVectors<D>> pairs(data, weights);
+  for (int slice = task.block.first_slice; slice < task.block.end_slice; ++slice) {
+    pairs.enter(slice);
+    use(pairs, slice, SliceSlots<D>(task.source.pairs, task.block, slice));
+  }
+}
+
+/// Force of a pair from what the average makes of the stress.
+template <int D>
+struct AdjointShares {
+  Mat<Pack, D> Q;
+
+  template <class Weight>
+  SINEW_INLINE Vec<Pack, D> operator()(const Weight& w, const Vec<Pack, D>&, const Vec<Pack, D>& X) const {
+    return Q * w.vector(X);
+  }
+};
+
+}  // namespace
+
+template <int D>
+void find_gradients(const NeighborTask<D>& task) {
+  const double* gradient = task.weights.pairs.gradient.data();
+  for_each_slice<D>(task, {gradient, gradient}, [&](auto& pairs, int, const SliceSlots<D>& slots) {
+    Mat<Pack, D> G;
+    pairs.first_visit([&](const auto& weight, const Vec<Pack, D>& u, const Vec<Pack, D>& X) { G += outer(u, weight.vector(X)); });
+    slots.store_matrix(G, task.matrices.gradient);
+  });
+}
+
+template <int D>
+void find_laplacians(const NeighborTask<D>& task) {
+  for_each_slice<D>(task, {nullptr, nullptr}, [&](auto& pairs, int, const SliceSlots<D>& slots) {
+    const Vec<Pack, D> sum = pairs.sum_differences(task.scratch.vectors(), task.weights.pairs.dissipation.data());
+    for (int c = 0; c < D; ++c) slots.store(task.laplacian_scale * sum[c], task.matrices.laplacian.component(c));
+  });
+}
+
+/// With A = V P of a particle and b_ij = V_i W1_ji / r_ij^2, Q_i = A_i K_i + sum_j b_ij (r_ij^2 A_j - A_j X_ij (x) X_ij) / 2, and t_ij = Q_i V_j g_ij.
+template <int D>
+void give_adjoint_forces(const NeighborTask<D>& task) {
+  const StoredPairs<double>& weights = task.weights.pairs;
+  const MatrixRows<D> stresses = task.scratch.matrices();
+  for_each_slice<D>(task, {weights.gradient.data(), weights.gradient.data(), nullptr, weights.average_of_other.data()},
+                    [&](auto& pairs, int slice, const SliceSlots<D>&) {
+                      const Mat<Pack, D> K = task.weights.own_average[task.weights.constants_of[slice]].matrix();
+                      AdjointShares<D> shares{pairs.own(stresses) * K};
+                      pairs.first_visit_with(
+                          stresses, [&](const auto& weight, const Vec<Pack, D>&, const Vec<Pack, D>& X, const Mat<Pack, D>& A) {
+                            const Pack half = 0.5 * weight.average;
+                            shares.Q += (half * dot(X, X)) * A - outer(half * (A * X), X);
+                          });
+                      pairs.exchange(shares);
+                    });
+}
+
+template void find_gradients<2>(const NeighborTask<2>&);
+template void find_gradients<3>(const NeighborTask<3>&);
+template void find_laplacians<2>(const NeighborTask<2>&);
+template void find_laplacians<3>(const NeighborTask<3>&);
+template void give_adjoint_forces<2>(const NeighborTask<2>&);
+template void give_adjoint_forces<3>(const NeighborTask<3>&);
+
+}  // namespace sinew

@@ -1,0 +1,265 @@
+/// The forces: one sweep over all blocks, and what has to be known before it.
+
+#include <sinew/formulations/sweep_dispatch.hpp>
+#include <sinew/formulations/total_lagrangian.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+namespace sinew {
+
+/// Room for every thread; only the first call and more threads allocate.
+template <int D>
+void TotalLagrangian<D>::prepare_scratch() {
+  while (scratches_.size() < most_threads())
+    scratches_.emplace_back(pairs_, ScratchNeeds{options_.needs_velocities(), options_.averages(), options_.jst.has_value()});
+}
+
+/// What JST dissipation takes the Laplacian of, harmonic v - biharmonic lap v.
+template <int D>
+void TotalLagrangian<D>::bring_in_dissipated(const Block& block, const Particles<D>& particles, BlockScratch<D>& scratch) const {
+  const auto [harmonic, biharmonic] = dissipation_[block.body];
+  for (int c = 0; c < D; ++c) {
+    const double* v = particles.velocity.component(c);
+    const double* laplacian = matrices_.laplacian.empty() ? nullptr : matrices_.laplacian.component(c);
+    scratch.bring_in_component(
+        block, c, [&](int slot) { return laplacian ? harmonic * v[slot] - biharmonic * laplacian[slot] : harmonic * v[slot]; });
+  }
+}
+
+template <int D>
+SweepTask<D> TotalLagrangian<D>::task_of(int index, const PairSource<D>& source, const WeightOptions& weights, PointStep step,
+                                         RecordedState* record) {
+  const Block& block = pairs_.blocks.all[index];
+  BlockScratch<D>& scratch = scratches_[this_thread()];
+  scratch.bring_in(block, source.particles);
+  if (options_.needs_velocities()) scratch.bring_in_velocities(block, source.particles);
+  if (options_.averages()) scratch.bring_in_matrices(block, matrices_.gradient);
+  if (options_.jst) bring_in_dissipated(block, source.particles, scratch);
+  if (block.has_list && options_.weights == WeightStorage::computed)
+    scratch.bring_in_sizes(block, source.particles, weights_.radius.data());
+  const AnyMaterial& material = options_.materials[block.body];
+  const bool soft = !options_.hourglass || options_.hourglass->plastic_switch;
+  return {block,
+          source,
+          weights_,
+          weights,
+          material_point<D>(material, options_.damage_of(block.body), options_.plane_stress),
+          options_.thickness,
+          density_of(material),
+          options_.hourglass ? options_.hourglass->coefficient() : 0.0,
+          soft ? 0.0 : youngs_modulus_of(material),
+          options_.viscosity ? &*options_.viscosity : nullptr,
+          std::sqrt(youngs_modulus_of(material) / density_of(material)),
+          options_.wave_speed,
+          longitudinal_modulus_of(material),
+          scratch,
+          history_.of(index),
+          step,
+          record,
+          options_.deformation_gradient,
+          matrices_,
+          options_.stages ? 0.0 : step.dt,
+          laplacian_scale(block.body)};
+}
+
+/// 0 without JST dissipation.
+template <int D>
+double TotalLagrangian<D>::laplacian_scale(int body) const {
+  return options_.jst && weights_.most_trace[body] > 0.0 ? 2.0 * D / weights_.most_trace[body] : 0.0;
+}
+
+template <int D>
+ForceSummary TotalLagrangian<D>::total(const std::vector<ForceSummary>& of_blocks) {
+  ForceSummary total;
+  for (const ForceSummary& part : of_blocks) {
+    total.strain_energy += part.strain_energy;
+    total.hourglass_energy += part.hourglass_energy;
+    total.released += part.released;
+    total.plastic_work += part.plastic_work;
+    total.damage_work += part.damage_work;
+    total.viscous_power += part.viscous_power;
+    total.smallest_jacobian = std::min(total.smallest_jacobian, part.smallest_jacobian);
+    total.largest_rate2 = std::max(total.largest_rate2, part.largest_rate2);
+  }
+  total.finite = std::isfinite(total.strain_energy);
+  return total;
+}
+
+/// Calls work(block) for all blocks. Displacements of copies are on their way during the first half of the blocks that do not need them, forces on
+/// copies during the second half.
+template <int D>
+template <class Work>
+void TotalLagrangian<D>::sweep_blocks(Particles<D>& particles, Work&& work, const Traffic& traffic) {
+  const std::size_t half = edge_.empty() ? inner_.size() : inner_.size() / 2;
+  const std::span<const int> inner(inner_), first = inner.first(half), second = inner.subspan(half);
+  const bool many = particles.slots >= fewest_for_threads;
+  if (traffic.displacements) halo_.displacements.start(particles.displacement);
+  for_each_block(first, many, work, [&] {
+    if (traffic.displacements) halo_.displacements.progress();
+  });
+  if (traffic.displacements) halo_.displacements.finish();
+  for_each_block(edge_, many, work, [] {});
+  if (traffic.forces) halo_.forces.start(spilled_);
+  for_each_block(second, many, work, [&] { halo_.forces.progress(); });
+  if (traffic.forces) halo_.forces.finish();
+}
+
+/// Calls work(block) for all blocks; nothing travels.
+template <int D>
+template <class Work>
+void TotalLagrangian<D>::sweep_all(Particles<D>& particles, Work&& work) {
+  sweep_blocks(particles, work, {false, false});
+}
+
+/// The same for work that leaves forces in the scratches. `finish`: see internal_forces().
+template <int D>
+template <class Work>
+void TotalLagrangian<D>::sweep_to_forces(Particles<D>& particles, VectorField<D>& forces, Finish finish, const Traffic& traffic,
+                                         Work&& work) {
+  const auto complete = [&](int index) {
+    add_spilled(pairs_.blocks, index, spilled_, forces);
+    finish(pairs_.blocks.all[index].begin, pairs_.blocks.all[index].end);
+  };
+  countdown_.start();
+  sweep_blocks(
+      particles,
+      [&](int index) {
+        work(index);
+        scratches_[this_thread()].hand_out(pairs_.blocks.all[index], forces, spilled_);
+        countdown_.done(index, complete);
+      },
+      traffic);
+  for_each_block(
+      pairs_.blocks.awaiting, true, [&](int index) { countdown_.received(index, complete); }, [] {});
+}
+
+/// Displacements and velocities of copies, for sweeps that come before the one of the forces.
+template <int D>
+void TotalLagrangian<D>::bring_copies(Particles<D>& particles) {
+  if (options_.needs_velocities()) {
+    halo_.displacements.start(particles.velocity);
+    halo_.displacements.finish();
+  }
+  if (!options_.averages()) return;
+  halo_.displacements.start(particles.displacement);
+  halo_.displacements.finish();
+}
+
+template <int D>
+NeighborTask<D> TotalLagrangian<D>::neighbor_task(int index, const PairSource<D>& source) {
+  const Block& block = pairs_.blocks.all[index];
+  return {block, source, weights_, scratches_[this_thread()], matrices_, laplacian_scale(block.body)};
+}
+
+/// F - I of all particles, and of copies, whose displacements are here.
+template <int D>
+void TotalLagrangian<D>::find_gradients_of_all(Particles<D>& particles) {
+  const PairSource<D> source{particles, pairs_};
+  sweep_all(particles, [&](int index) {
+    const NeighborTask<D> task = neighbor_task(index, source);
+    task.scratch.bring_in(task.block, particles);
+    find_gradients<D>(task);
+  });
+  halo_.matrices.start(matrices_.gradient);
+  halo_.matrices.finish();
+}
+
+/// Laplacians of the velocities of all particles and copies.
+template <int D>
+void TotalLagrangian<D>::find_laplacians_of_all(Particles<D>& particles) {
+  const PairSource<D> source{particles, pairs_};
+  sweep_all(particles, [&](int index) {
+    const NeighborTask<D> task = neighbor_task(index, source);
+    for (int c = 0; c < D; ++c) {
+      const double* v = particles.velocity.component(c);
+      task.scratch.bring_in_component(task.block, c, [v](int slot) { return v[slot]; });
+    }
+    find_laplacians<D>(task);
+  });
+  halo_.displacements.start(matrices_.laplacian);
+  halo_.displacements.finish();
+}
+
+/// Everything that the sweep of the forces needs to know of neighbors beside their displacements.
+template <int D>
+void TotalLagrangian<D>::prepare(Particles<D>& particles) {
+  prepare_scratch();
+  bring_copies(particles);
+  if (options_.averages()) find_gradients_of_all(particles);
+  if (!matrices_.laplacian.empty()) find_laplacians_of_all(particles);
+}
+
+template <int D>
+ForceSummary TotalLagrangian<D>::internal_forces(Particles<D>& particles, VectorField<D>& forces, PointStep step, Finish finish,
+                                                 RecordedState* record) {
+  const PairSource<D> source{particles, pairs_};
+  const WeightOptions weights = weight_options();
+  const bool variational = options_.deformation_gradient == DeformationGradient::bond_variational;
+  const auto later = [](int, int) {};
+  prepare(particles);
+  sweep_to_forces(particles, forces, variational ? Finish(later) : finish, {!options_.averages(), true},
+                  [&](int index) { summaries_[index] = sweep_block<D>(task_of(index, source, weights, step, record)); });
+  if (variational) add_adjoint_forces(particles, forces, finish);
+  return total(summaries_);
+}
+
+/// What follows when the stresses of all particles are known.
+template <int D>
+void TotalLagrangian<D>::add_adjoint_forces(Particles<D>& particles, VectorField<D>& forces, Finish finish) {
+  const PairSource<D> source{particles, pairs_};
+  halo_.matrices.start(matrices_.stress);
+  halo_.matrices.finish();
+  sweep_to_forces(particles, forces, finish, {false, true}, [&](int index) {
+    const NeighborTask<D> task = neighbor_task(index, source);
+    task.scratch.bring_in(task.block, particles);
+    task.scratch.bring_in_matrices(task.block, matrices_.stress);
+    give_adjoint_forces<D>(task);
+  });
+}
+
+template <int D>
+ForceSummary TotalLagrangian<D>::record(Particles<D>& particles, RecordedState& state) {
+  const PairSource<D> source{particles, pairs_};
+  const WeightOptions weights = weight_options();
+  recorded_.resize(summaries_.size());
+  prepare(particles);
+  sweep_blocks(particles,
+               [&](int index) {
+                 const SweepTask<D> task = task_of(index, source, weights, {}, &state);
+                 recorded_[index] = sweep_block<D>(task);
+                 task.scratch.discard(task.block);
+               },
+               {!options_.averages(), false});
+  return total(recorded_);
+}
+
+template <int D>
+void TotalLagrangian<D>::begin_gradients(Particles<D>& particles) {
+  if (options_.deformation_gradient != DeformationGradient::rate) return;
+  prepare_scratch();
+  halo_.displacements.start(particles.displacement);
+  halo_.displacements.finish();
+  find_gradients_of_all(particles);
+}
+
+#define SINEW_INSTANTIATE(D)                                                                                                     \
+  template void TotalLagrangian<D>::prepare_scratch();                                                                           \
+  template void TotalLagrangian<D>::bring_in_dissipated(const Block&, const Particles<D>&, BlockScratch<D>&) const;              \
+  template SweepTask<D> TotalLagrangian<D>::task_of(int, const PairSource<D>&, const WeightOptions&, PointStep, RecordedState*); \
+  template double TotalLagrangian<D>::laplacian_scale(int) const;                                                                \
+  template ForceSummary TotalLagrangian<D>::total(const std::vector<ForceSummary>&);                                             \
+  template void TotalLagrangian<D>::bring_copies(Particles<D>&);                                                                 \
+  template NeighborTask<D> TotalLagrangian<D>::neighbor_task(int, const PairSource<D>&);                                         \
+  template void TotalLagrangian<D>::find_gradients_of_all(Particles<D>&);                                                        \
+  template void TotalLagrangian<D>::find_laplacians_of_all(Particles<D>&);                                                       \
+  template void TotalLagrangian<D>::add_adjoint_forces(Particles<D>&, VectorField<D>&, Finish);                                  \
+  template void TotalLagrangian<D>::prepare(Particles<D>&);                                                                      \
+  template ForceSummary TotalLagrangian<D>::internal_forces(Particles<D>&, VectorField<D>&, PointStep, Finish, RecordedState*);  \
+  template ForceSummary TotalLagrangian<D>::record(Particles<D>&, RecordedState&);                                               \
+  template void TotalLagrangian<D>::begin_gradients(Particles<D>&);
+SINEW_INSTANTIATE(2)
+SINEW_INSTANTIATE(3)
+
+}  // namespace sinew
