@@ -1,5 +1,6 @@
 /// Sweeps before and after the one over the materials, for methods that need gradients, Laplacians or stresses of neighbors. All pairs are listed, with vectors (but for Laplacians).
 
+#include <sinew/formulations/bond_sums.hpp>
 #include <sinew/formulations/slice_slots.hpp>
 #include <sinew/formulations/sweep_dispatch.hpp>
 #include <sinew/formulations/weight_source.hpp>
@@ -15,7 +16,7 @@ void for_each_slice(const NeighborTask<D>& task, const StoredVectors<D>& weights
   BlockScratch<D>& scratch = task.scratch;
   const ListedPairsData<D> data{task.source.pairs, scratch.place_rows(), scratch.velocity_rows(), scratch.force_rows(),
                                 scratch.kept()};
-  ListedPairs<D, StoredVectors<D>> pairs(data, weights);
+  ListedPairs<D, StoredVectors<D>, false> pairs(data, weights);
   for (int slice = task.block.first_slice; slice < task.block.end_slice; ++slice) {
     pairs.enter(slice);
     use(pairs, slice, SliceSlots<D>(task.source.pairs, task.block, slice));
@@ -38,9 +39,11 @@ struct AdjointShares {
 template <int D>
 void find_gradients(const NeighborTask<D>& task) {
   const double* gradient = task.weights.pairs.gradient.data();
-  for_each_slice<D>(task, {gradient, gradient}, [&](auto& pairs, int, const SliceSlots<D>& slots) {
+  const StoredVectors<D> vectors{gradient, gradient};
+  for_each_slice<D>(task, vectors, [&](auto& pairs, int, const SliceSlots<D>& slots) {
     Mat<Pack, D> G;
-    pairs.first_visit([&](const auto& weight, const Vec<Pack, D>& u, const Vec<Pack, D>& X) { G += outer(u, weight.vector(X)); });
+    pairs.for_each_difference(task.scratch.vectors(),
+                              [&](std::size_t entry, const Vec<Pack, D>& u) { G += outer(u, vectors.stored(entry).vector(u)); });
     slots.store_matrix(G, task.matrices.gradient);
   });
 }
@@ -53,21 +56,17 @@ void find_laplacians(const NeighborTask<D>& task) {
   });
 }
 
-/// With A = V P of a particle and b_ij = V_i W1_ji / r_ij^2, Q_i = A_i K_i + sum_j b_ij (r_ij^2 A_j - A_j X_ij (x) X_ij) / 2, and t_ij = Q_i V_j g_ij.
+/// t_ij = Q_i V_j g_ij, see StressOfBonds.
 template <int D>
 void give_adjoint_forces(const NeighborTask<D>& task) {
   const StoredPairs<double>& weights = task.weights.pairs;
   const MatrixRows<D> stresses = task.scratch.matrices();
   for_each_slice<D>(task, {weights.gradient.data(), weights.gradient.data(), nullptr, weights.average_of_other.data()},
-                    [&](auto& pairs, int slice, const SliceSlots<D>&) {
+                    [&](auto& pairs, int slice, const SliceSlots<D>& slots) {
                       const Mat<Pack, D> K = task.weights.own_average[task.weights.constants_of[slice]].matrix();
-                      AdjointShares<D> shares{pairs.own(stresses) * K};
-                      pairs.first_visit_with(
-                          stresses, [&](const auto& weight, const Vec<Pack, D>&, const Vec<Pack, D>& X, const Mat<Pack, D>& A) {
-                            const Pack half = 0.5 * weight.average;
-                            shares.Q += (half * dot(X, X)) * A - outer(half * (A * X), X);
-                          });
-                      pairs.exchange(shares);
+                      StressOfBonds<D> bonds{slots.load_matrix(task.matrices.stress) * K};
+                      pairs.first_visit_with(stresses, bonds);
+                      pairs.exchange(AdjointShares<D>{bonds.sum});
                     });
 }
 

@@ -4,7 +4,7 @@
 ///
 ///     t_ij = Q_i (w_ij X_ij) + hourglass share,     Q_i = V_i P_i L_i
 ///
-/// Each form sums the energy of its hourglass shares on the way.
+/// Each form sums the energy of its hourglass shares on the way. `of_pairs`: it asks for u_ij or X_ij.
 
 #include <sinew/formulations/pair_weight.hpp>
 #include <sinew/stabilization/artificial_viscosity.hpp>
@@ -35,7 +35,7 @@ struct MirroredShares {
 /// since G = S L and L is the inverse of sum w X (x) X. Also the form without hourglass stiffness: it is zero then.
 template <int D>
 struct ConservativeShares {
-  static constexpr bool hourglass_weights = false;
+  static constexpr bool hourglass_weights = false, of_pairs = true;
   Mat<Pack, D> B;
   Pack stiffness, energy;
 
@@ -82,14 +82,14 @@ struct CentralForm {
 /// Stress and hourglass stiffness added up, for any weights.
 template <int D, class Form>
 struct SeparateShares {
-  static constexpr bool hourglass_weights = true;
+  static constexpr bool hourglass_weights = true, of_pairs = true;
   Mat<Pack, D> Q, F;
   Pack stiffness, energy{0.0};
 
   explicit SINEW_INLINE SeparateShares(const PointState<D>& i) : Q(i.Q), F(i.F), stiffness(i.stiffness) {}
   template <class Weight>
   SINEW_INLINE Vec<Pack, D> operator()(const Weight& w, const Vec<Pack, D>& u, const Vec<Pack, D>& X) {
-    const auto share = Form::share(F, X, X + u, stiffness * w.hourglass);
+    const auto share = Form::share(F, X, X + u, stiffness * w.hourglass_weight());
     energy += share.energy;
     return Q * w.force(X) + share.force;
   }
@@ -99,6 +99,20 @@ struct SeparateShares {
     return {(*this)(w, u_forward, X), (*this)(w.reversed(), u_backward, -X)};
   }
   SINEW_INLINE Pack hourglass_energy() const { return energy; }
+};
+
+/// Stress alone, for weights that are vectors.
+template <int D>
+struct StressShares {
+  static constexpr bool hourglass_weights = false, of_pairs = false;
+  Mat<Pack, D> Q;
+
+  explicit SINEW_INLINE StressShares(const PointState<D>& i) : Q(i.Q) {}
+  template <class Weight>
+  SINEW_INLINE Vec<Pack, D> operator()(const Weight& w, const Vec<Pack, D>&, const Vec<Pack, D>& X) const {
+    return Q * w.force(X);
+  }
+  SINEW_INLINE Pack hourglass_energy() const { return Pack(0.0); }
 };
 
 /// Artificial viscosity: t_ij = strength(mu_ij) H_i (w_ij X_ij), H = -1/2 V rho_0 J^2 F^-T L; i's half of the force,

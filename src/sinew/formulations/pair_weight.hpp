@@ -24,6 +24,7 @@ struct RadialWeight {
   SINEW_INLINE Vec<T, D> force(const Vec<T, D>& X) const {
     return vector(X);
   }
+  SINEW_INLINE const T& hourglass_weight() const { return hourglass; }
   SINEW_INLINE void store(double* to) const {
     gradient.store(to);
     if constexpr (with_hourglass) hourglass.store(to + lanes);
@@ -41,16 +42,26 @@ struct RadialWeight {
   }
 };
 
-/// The complete gradient as a vector.
-template <class T, int D>
+/// The complete gradient as a vector, and more. Each is loaded where it is asked for: all at once they would not fit into registers.
+template <int D>
 struct VectorWeight {
-  Vec<T, D> gradient;      ///< V_j g_ij [1/length]
-  Vec<T, D> force_vector;  ///< the same, or what takes its place in the force [1/length]
-  T hourglass;             ///< [1/length^2]
-  T average;               ///< V_j W1_ij / r_ij^2 of the average over bonds [1/length^2]
-  SINEW_INLINE const Vec<T, D>& vector(const Vec<T, D>&) const { return gradient; }
-  SINEW_INLINE const Vec<T, D>& force(const Vec<T, D>&) const { return force_vector; }
+  const double* gradient_at;   ///< V_j g_ij [1/length], component by component
+  const double* force_at;      ///< the same, or what takes its place in the force [1/length]
+  const double* hourglass_at;  ///< [1/length^2]; nullptr: none
+  const double* average_at;    ///< V_j W1_ij / r_ij^2 of the average over bonds [1/length^2]
+
+  SINEW_INLINE Vec<Pack, D> vector(const Vec<Pack, D>&) const { return load(gradient_at); }
+  SINEW_INLINE Vec<Pack, D> force(const Vec<Pack, D>&) const { return load(force_at); }
+  SINEW_INLINE Pack hourglass_weight() const { return hourglass_at ? Pack::load(hourglass_at) : Pack(0.0); }
+  SINEW_INLINE Pack average() const { return Pack::load(average_at); }
   SINEW_INLINE PackMask present() const { return PackMask::from_bits(0xff); }
+
+ private:
+  static SINEW_INLINE Vec<Pack, D> load(const double* from) {
+    Vec<Pack, D> v;
+    for (int c = 0; c < D; ++c) v[c] = Pack::load(from + lanes * c);
+    return v;
+  }
 };
 
 /// RadialWeight of all pairs of one kind in a lattice, with the vector at hand.
@@ -62,6 +73,7 @@ struct BondWeight {
 
   SINEW_INLINE const Vec<T, D>& vector(const Vec<T, D>&) const { return gradient_vector; }
   SINEW_INLINE const Vec<T, D>& force(const Vec<T, D>&) const { return gradient_vector; }
+  SINEW_INLINE const T& hourglass_weight() const { return hourglass; }
   SINEW_INLINE BondWeight reversed() const { return {gradient, -gradient_vector, hourglass}; }
   SINEW_INLINE PackMask present() const { return gradient > T(0.0); }
   SINEW_INLINE BondWeight only(PackMask mask) const {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sinew/formulations/bond_sums.hpp>
 #include <sinew/formulations/pair_force.hpp>
 #include <sinew/formulations/sweep_dispatch.hpp>
 #include <sinew/formulations/weight_source.hpp>
@@ -69,19 +70,14 @@ SINEW_INLINE void integrate_deformation(const SweepTask<D>& task, Pairs& pairs, 
 
 /// F of eight particles as the average over their bonds, each with the gradient
 ///     F_ij = (F_i + F_j)/2 (I - N_ij (x) N_ij) + x_ij (x) X_ij / r_ij^2
-/// and the particle itself. Wiragunarsa et al. (2024), eq. 37 and 39; here of displacements, with b_ij = V_j W1_ij / r_ij^2:
-///     F_i - I = G_i K_i + sum_j b_ij (r_ij^2 G_j / 2 + (u_ij - G_j X_ij / 2) (x) X_ij)
+/// and the particle itself. Wiragunarsa et al. (2024), eq. 37 and 39; see GradientOfBonds.
 template <int D, class Pairs>
 SINEW_INLINE void average_over_bonds(const SweepTask<D>& task, Pairs& pairs, int number, SliceInWork<D>& slice) {
   const Mat<Pack, D> G = SliceSlots<D>(task.source.pairs, task.block, number).load_matrix(task.matrices.gradient);
-  Mat<Pack, D> average = G * task.weights.own_average[task.weights.constants_of[number]].matrix();
-  pairs.first_visit_with(task.scratch.matrices(),
-                         [&](const auto& weight, const Vec<Pack, D>& u, const Vec<Pack, D>& X, const Mat<Pack, D>& G_j) {
-                           const Pack b = weight.average, half = 0.5 * b;
-                           average += (half * dot(X, X)) * G_j + outer(b * u - half * (G_j * X), X);
-                         });
+  GradientOfBonds<D> bonds{G * task.weights.own_average[task.weights.constants_of[number]].matrix()};
+  pairs.first_visit_with(task.scratch.matrices(), bonds);
   slice.direct = Mat<Pack, D>::identity() + G;
-  slice.F = Mat<Pack, D>::identity() + average;
+  slice.F = Mat<Pack, D>::identity() + bonds.sum;
 }
 
 /// S and F of eight particles.
@@ -248,7 +244,7 @@ ForceSummary sweep_runs(const SweepTask<D>& task, const Weights& listed) {
     for (end = begin + 1; end < task.block.end_slice && pairs.listed(end) == pairs.listed(begin);) ++end;
     if (pairs.listed(begin)) {
       const ListedPairsData<D> data{pairs, scratch.place_rows(), scratch.velocity_rows(), scratch.force_rows(), scratch.kept()};
-      sweep_slices<D, Shares>(task, ListedPairs<D, Weights>(data, listed), begin, end, sums);
+      sweep_slices<D, Shares>(task, ListedPairs<D, Weights, Shares::of_pairs>(data, listed), begin, end, sums);
     } else if constexpr (Weights::radial) {
       using Bonds = BondWeights<D, Shares::hourglass_weights>;
       LatticePairsData<D> data{pairs, {}, {}, {}};
@@ -290,6 +286,7 @@ ForceSummary choose_sweep(const SweepTask<D>& task) {
   const StoredPairs<double>& pairs = task.weights.pairs;
   const double* force = pairs.force.size() > 0 ? pairs.force.data() : pairs.gradient.data();
   const StoredVectors<D> vectors{pairs.gradient.data(), force, pairs.hourglass.data(), pairs.average.data()};
+  if (task.options.hourglass == HourglassWeight::none) return sweep_runs<D, StressShares<D>>(task, vectors);
   if (central) return sweep_runs<D, SeparateShares<D, CentralForm>>(task, vectors);
   return sweep_runs<D, SeparateShares<D, ConservativeForm>>(task, vectors);
 }

@@ -52,7 +52,7 @@ struct NeighborTask {
 
 // Defined in neighbor_sweeps.cpp.
 
-/// F - I of the displacements.
+/// F - I of the displacements, which are the vectors in the scratch.
 template <int D>
 void find_gradients(const NeighborTask<D>& task);
 /// Laplacians of the vectors in the scratch.

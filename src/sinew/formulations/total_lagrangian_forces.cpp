@@ -13,7 +13,7 @@ namespace sinew {
 template <int D>
 void TotalLagrangian<D>::prepare_scratch() {
   while (scratches_.size() < most_threads())
-    scratches_.emplace_back(pairs_, ScratchNeeds{options_.needs_velocities(), options_.averages(), options_.jst.has_value()});
+    scratches_.emplace_back(pairs_, ScratchNeeds{options_.needs_velocities(), options_.averages(), options_.extended()});
 }
 
 /// What JST dissipation takes the Laplacian of, harmonic v - biharmonic lap v.
@@ -159,7 +159,7 @@ void TotalLagrangian<D>::find_gradients_of_all(Particles<D>& particles) {
   const PairSource<D> source{particles, pairs_};
   sweep_all(particles, [&](int index) {
     const NeighborTask<D> task = neighbor_task(index, source);
-    task.scratch.bring_in(task.block, particles);
+    task.scratch.bring_in_vectors(task.block, particles.displacement);
     find_gradients<D>(task);
   });
   halo_.matrices.start(matrices_.gradient);
@@ -172,10 +172,7 @@ void TotalLagrangian<D>::find_laplacians_of_all(Particles<D>& particles) {
   const PairSource<D> source{particles, pairs_};
   sweep_all(particles, [&](int index) {
     const NeighborTask<D> task = neighbor_task(index, source);
-    for (int c = 0; c < D; ++c) {
-      const double* v = particles.velocity.component(c);
-      task.scratch.bring_in_component(task.block, c, [v](int slot) { return v[slot]; });
-    }
+    task.scratch.bring_in_vectors(task.block, particles.velocity);
     find_laplacians<D>(task);
   });
   halo_.displacements.start(matrices_.laplacian);

@@ -50,7 +50,7 @@ struct ComputedWeights {
 /// Stored vectors, and other weights as they are needed.
 template <int D>
 struct StoredVectors {
-  using Weight = VectorWeight<Pack, D>;
+  using Weight = VectorWeight<D>;
   static constexpr bool computed = false, radial = false;
   const double* gradient;
   const double* force;                ///< vectors that carry the stress: those of the gradient, or others
@@ -61,14 +61,8 @@ struct StoredVectors {
   using Shared = int;
   SINEW_INLINE int of_slice(int place) const { return place; }
   SINEW_INLINE Weight stored(std::size_t entry) const {
-    Weight w;
-    for (int c = 0; c < D; ++c) {
-      w.gradient[c] = Pack::load(gradient + lanes * (D * entry + c));
-      w.force_vector[c] = Pack::load(force + lanes * (D * entry + c));
-    }
-    w.hourglass = hourglass ? Pack::load(hourglass + lanes * entry) : Pack(0.0);
-    w.average = average ? Pack::load(average + lanes * entry) : Pack(0.0);
-    return w;
+    return {gradient + lanes * D * entry, force + lanes * D * entry, hourglass ? hourglass + lanes * entry : nullptr,
+            average + lanes * entry};
   }
   SINEW_INLINE Weight at(std::size_t entry, const PlaceIndex*, const Vec<Pack, D>&, int) const { return stored(entry); }
 };

@@ -29,9 +29,12 @@ inline constexpr int numbers_kept = 2 * D + 2;
 
 /// One slice at a time: `enter` it, visit all its pairs once with `first_visit`, then as often as needed with the others. The first visit fetches
 /// the neighbors and keeps u_ij, X_ij and the weight in order, so that later ones read one stream. `Weights`: weights.at(entry, index, X, R)
-/// gives the weight of eight pairs; the fill of the list has X = 0 and a weight that is finite.
-template <int D, class Weights>
+/// gives the weight of eight pairs; the fill of the list has X = 0 and a weight that is finite. `keeps`: later visits are usual; otherwise they fetch the neighbors
+/// again, if they want to know of them.
+template <int D, class Weights, bool keeps = true>
 class ListedPairs {
+  static_assert(keeps || !Weights::computed);
+
  public:
   using Weight = typename Weights::Weight;
   static constexpr bool listed = true, vectors = !Weights::radial;
@@ -65,7 +68,7 @@ class ListedPairs {
       const PlacePack<D> other = load_places<D>(data_.place_rows, index);
       const Vec<Pack, D> u = other.u - own.u, X = other.X - own.X;
       const Weight weight = weights_.at(e, index, X, shared);
-      for (int c = 0; c < D; ++c) {
+      for (int c = 0; keeps && c < D; ++c) {
         u[c].store(kept + lanes * c);
         X[c].store(kept + lanes * (D + c));
       }
@@ -78,11 +81,20 @@ class ListedPairs {
   SINEW_INLINE auto own(const Rows& rows) const {
     return rows.load(OwnPlaces(place_).place);
   }
+  /// use(entry, z_j - z_i), for sums that need no more of a pair than that and stored weights.
+  template <class Use>
+  SINEW_INLINE void for_each_difference(const VectorRows<D>& z, Use&& use) const {
+    const Vec<Pack, D> z_i = own(z);
+    for (std::size_t e = begin_; e < end_; ++e) {
+      const PlaceIndex* index = data_.pairs.entry(e);
+      __builtin_prefetch(index + 32 * lanes);
+      use(e, z.load(index) - z_i);
+    }
+  }
   /// sum_j weight_ij (z_j - z_i). `weights`: one a pair, entry by entry.
   SINEW_INLINE Vec<Pack, D> sum_differences(const VectorRows<D>& z, const double* weights) const {
     Vec<Pack, D> sum;
-    const Vec<Pack, D> z_i = own(z);
-    for (std::size_t e = begin_; e < end_; ++e) sum += Pack::load(weights + lanes * e) * (z.load(data_.pairs.entry(e)) - z_i);
+    for_each_difference(z, [&](std::size_t e, const Vec<Pack, D>& dz) { sum += Pack::load(weights + lanes * e) * dz; });
     return sum;
   }
   /// Adds a force to the particles themselves.
@@ -94,16 +106,20 @@ class ListedPairs {
   template <class Use>
   SINEW_INLINE void visit(Use&& use) const {
     const double* kept = data_.kept;
-    for (std::size_t e = begin_; e < end_; ++e, kept += lanes * width) use(weight(e, kept), pick(kept), pick(kept + lanes * D));
+    for (std::size_t e = begin_; e < end_; ++e, kept += lanes * width) {
+      const PlacePack<D> pair = difference(e, kept);
+      use(weight(e, kept), pair.u, pair.X);
+    }
   }
 
   /// Adds t = share(weight, u_ij, X_ij) to i and subtracts it from j: momentum is conserved by construction. One pair after the other, in list order.
   template <class Share>
-  SINEW_INLINE void exchange(Share& share) const {
+  SINEW_INLINE void exchange(Share&& share) const {
     Vec<Pack, D> total;
     const double* kept = data_.kept;
     for (std::size_t e = begin_; e < end_; ++e, kept += lanes * width) {
-      const Vec<Pack, D> t = share(weight(e, kept), pick(kept), pick(kept + lanes * D));
+      const PlacePack<D> pair = difference(e, kept);
+      const Vec<Pack, D> t = share(weight(e, kept), pair.u, pair.X);
       total += t;
       subtract_rows(data_.force_rows, data_.pairs.entry(e), t);
     }
@@ -118,7 +134,8 @@ class ListedPairs {
     const double* kept = data_.kept;
     for (std::size_t e = begin_; e < end_; ++e, kept += lanes * width) {
       const Vec<Pack, D> v = load_vectors<D>(data_.velocity_rows, data_.pairs.entry(e)) - own;
-      const Vec<Pack, D> t = share(weight(e, kept), pick(kept), v, pick(kept + lanes * D));
+      const PlacePack<D> pair = difference(e, kept);
+      const Vec<Pack, D> t = share(weight(e, kept), pair.u, v, pair.X);
       total += t;
       subtract_rows(data_.force_rows, data_.pairs.entry(e), t);
     }
@@ -130,10 +147,20 @@ class ListedPairs {
     SINEW_INLINE int load(const PlaceIndex*) const { return 0; }
   };
 
-  static SINEW_INLINE Vec<Pack, D> pick(const double* from) {
-    Vec<Pack, D> v;
-    for (int c = 0; c < D; ++c) v[c] = Pack::load(from + lanes * c);
-    return v;
+  /// u_ij and X_ij.
+  SINEW_INLINE PlacePack<D> difference(std::size_t entry, const double* kept) const {
+    PlacePack<D> pair;
+    if constexpr (keeps) {
+      for (int c = 0; c < D; ++c) {
+        pair.u[c] = Pack::load(kept + lanes * c);
+        pair.X[c] = Pack::load(kept + lanes * (D + c));
+      }
+    } else {
+      const PlacePack<D> other = load_places<D>(data_.place_rows, data_.pairs.entry(entry));
+      const PlacePack<D> own = load_places<D>(data_.place_rows, OwnPlaces(place_).place);
+      pair.u = other.u - own.u, pair.X = other.X - own.X;
+    }
+    return pair;
   }
   SINEW_INLINE Weight weight(std::size_t entry, const double* kept) const {
     if constexpr (Weights::computed)

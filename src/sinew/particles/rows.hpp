@@ -47,24 +47,6 @@ SINEW_INLINE Vec<Pack, D> load_vectors(const double* rows, const Index* index) {
   return v;
 }
 
-/// D x D matrices by place, to be loaded whole: two rows of each as a place row, the third (3D) as a vector row.
-template <int D>
-struct MatrixRows {
-  const double* first;
-  const double* third;  ///< 3D only
-
-  template <class Index>
-  SINEW_INLINE Mat<Pack, D> load(const Index* index) const {
-    Mat<Pack, D> m;
-    const PlacePack<D> two = load_places<D>(first, index);
-    for (int c = 0; c < D; ++c) m[0][c] = two.u[c], m[1][c] = two.X[c];
-    if constexpr (D == 3) {
-      const Vec<Pack, D> last = load_vectors<D>(third, index);
-      for (int c = 0; c < D; ++c) m[2][c] = last[c];
-    }
-    return m;
-  }
-};
 /// Vectors by place.
 template <int D>
 struct VectorRows {
@@ -73,6 +55,24 @@ struct VectorRows {
   template <class Index>
   SINEW_INLINE Vec<Pack, D> load(const Index* index) const {
     return load_vectors<D>(rows, index);
+  }
+};
+
+/// D x D matrices by place, each row a vector row in an array of its own.
+template <int D>
+struct MatrixRows {
+  const double* rows[D];
+
+  /// Of eight particles, row by row: the whole matrix would not fit into registers.
+  template <class Index>
+  struct Of {
+    const MatrixRows& all;
+    const Index* index;
+    SINEW_INLINE Vec<Pack, D> row(int r) const { return load_vectors<D>(all.rows[r], index); }
+  };
+  template <class Index>
+  SINEW_INLINE Of<Index> load(const Index* index) const {
+    return {*this, index};
   }
 };
 
