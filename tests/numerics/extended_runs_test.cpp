@@ -67,6 +67,12 @@ struct Damped {
   }
 };
 
+JstDissipation plain(double eta2, double eta4) {
+  JstDissipation jst{eta2, eta4};
+  jst.laplacian.value = "plain";
+  return jst;
+}
+
 constexpr double c_of_rubber = 1.8156825980064073;  // sqrt((lambda + 2 mu) / rho) for E = 2, nu = 0.4, rho = 1.3
 
 /// In the middle of a lattice, eta2 c h lap |X|^2 = eta2 c h 2 D, and eta4 c h^3 lap lap of it = 0.
@@ -77,7 +83,7 @@ void check_laplacian() {
     v[0] = dot(X, X);
     return v;
   };
-  const Damped<D> harmonic(0.0, {0.3, 0.0}, square), both(0.0, {0.3, 0.2}, square);
+  const Damped<D> harmonic(0.0, plain(0.3, 0.0), square), both(0.0, plain(0.3, 0.2), square);
   const double h = 1.2;
   Vec<double, D> middle{};
   middle[0] = (D == 3 ? 10.0 : 14.0) / 2.0;
@@ -102,7 +108,7 @@ TEST(Jst, LaplacianInALattice) {
 TEST(Jst, BiharmonicIsTheLaplacianTwice) {
   const double k = 1.1;
   const auto wave = [k](const Vec<double, 2>& X) { return Vec<double, 2>{{std::cos(k * (X[0] - 7.0)), 0.0}}; };
-  const Damped<2> harmonic(0.0, {0.3, 0.0}, wave), biharmonic(0.0, {0.0, 0.2}, wave);
+  const Damped<2> harmonic(0.0, plain(0.3, 0.0), wave), biharmonic(0.0, plain(0.0, 0.2), wave);
   for (int slot : harmonic.cloud.particles.slot_of) {
     if (norm(harmonic.cloud.particles.position[slot] - Vec<double, 2>{{7.0, 6.0}}) > 0.1) continue;
     const double s = harmonic.forces.at(0, slot) / (1.3 * 0.3 * c_of_rubber * 1.2);
@@ -115,7 +121,7 @@ TEST(Jst, BiharmonicIsTheLaplacianTwice) {
 TEST(Jst, TakesEnergyFromDifferencesOnly) {
   const Damped<2> rigid(0.3, {0.3, 0.2}, [](const auto&) { return Vec<double, 2>{{3.0, -1.0}}; });
   EXPECT_NEAR(rigid.summary.viscous_power, 0.0, 1e-12);
-  for (const JstDissipation& jst : {JstDissipation{0.3, 0.0}, JstDissipation{0.0, 0.2}, JstDissipation{0.1, 0.1}}) {
+  for (const JstDissipation& jst : {plain(0.3, 0.0), plain(0.0, 0.2), JstDissipation{0.3, 0.0}, JstDissipation{0.0, 0.2}}) {
     std::mt19937_64 random(3);
     std::uniform_real_distribution<double> any(-1.0, 1.0);
     const Damped<2> noisy(0.3, jst, [&](const auto&) { return Vec<double, 2>{{any(random), any(random)}}; });
@@ -126,9 +132,31 @@ TEST(Jst, TakesEnergyFromDifferencesOnly) {
   }
 }
 
+/// Linear fields of velocities, rotations above all, are left alone by the corrected one, up to surfaces and on uneven particles; by the plain one they are not.
+TEST(Jst, CorrectedLaplacianOfLinearFields) {
+  const auto turn = [](const Vec<double, 3>& X) { return Vec<double, 3>{{-X[1] + 0.3 * X[2], X[0], 0.7 * X[1] - 0.2 * X[2]}}; };
+  double largest[2] = {0.0, 0.0};
+  for (const JstDissipation& jst : {JstDissipation{0.3, 0.2}, plain(0.3, 0.2)}) {
+    const Damped<3> turning(0.3, jst, turn);
+    double& most = largest[jst.corrected() ? 0 : 1];
+    for (int slot : turning.cloud.particles.slot_of) most = std::max(most, norm(turning.forces[slot]));
+  }
+  EXPECT_LT(largest[0], 1e-11 * largest[1]);
+  EXPECT_GT(largest[1], 0.1);
+}
+
+/// The mean of the exact gradients of both ends explains differences of quadratic fields exactly.
+TEST(Jst, CorrectedLaplacianLeavesQuadraticFieldsInside) {
+  const Damped<2> quadratic(0.0, {0.3, 0.2}, [](const auto& X) { return Vec<double, 2>{{dot(X, X), X[0] * X[1]}}; });
+  for (int slot : quadratic.cloud.particles.slot_of)
+    if (norm(quadratic.cloud.particles.position[slot] - Vec<double, 2>{{7.0, 6.0}}) < 0.1) {
+      EXPECT_NEAR(norm(quadratic.forces[slot]), 0.0, 1e-11);
+    }
+}
+
 /// The bound of the fastest damping is one, and not a loose one: power iteration.
 TEST(Jst, FastestDamping) {
-  for (const JstDissipation& jst : {JstDissipation{0.3, 0.0}, JstDissipation{0.0, 0.2}}) {
+  for (const JstDissipation& jst : {plain(0.3, 0.0), plain(0.0, 0.2), JstDissipation{0.3, 0.0}, JstDissipation{0.0, 0.2}}) {
     std::mt19937_64 random(3);
     std::uniform_real_distribution<double> any(-1.0, 1.0);
     Damped<2> noisy(0.2, jst, [&](const auto&) { return Vec<double, 2>{{any(random), any(random)}}; });
@@ -156,7 +184,7 @@ TEST(Jst, EnergyIsCounted) {
                                                  "time_step = 2e-4\nintegrator = \"" + integrator + "\""));
     run_until(*simulation, 0.2);
     const Energies e = simulation->energies();
-    EXPECT_GT(e.dissipated, 0.02 * e.initial);
+    EXPECT_GT(e.dissipated, 0.01 * e.initial);
     EXPECT_LT(std::abs(e.balance_error()), 2e-3 * e.dissipated) << integrator;
   }
 }

@@ -3,6 +3,7 @@
 
 #include <sinew/core/pack.hpp>
 #include <sinew/core/vec.hpp>
+#include <sinew/particles/rows.hpp>
 
 namespace sinew {
 
@@ -40,6 +41,38 @@ struct StressOfBonds {
       for (int c = 0; c < D; ++c) sum[r][c] += along * A[c] - pull * X[c];
     }
   }
+};
+
+/// Velocities and their gradients, by place.
+template <int D>
+struct MovingRows {
+  VectorRows<D> v;
+  MatrixRows<D> gradient;
+
+  template <class Index>
+  struct Of {
+    Vec<Pack, D> v;
+    typename MatrixRows<D>::template Of<Index> gradient;
+  };
+  template <class Index>
+  SINEW_INLINE Of<Index> load(const Index* index) const {
+    return {v.load(index), gradient.load(index)};
+  }
+};
+
+/// The Laplacian of velocities of which linear fields are taken off, JstDissipation: sum_j w_ij (v_j - v_i - (G_i + G_j) X_ij / 2).
+template <int D>
+struct CorrectedLaplacian {
+  Vec<Pack, D> v;               ///< of the particle itself
+  Vec<Pack, D> sum{}, first{};  ///< without the part of G_i; sum_j w_ij X_ij
+
+  template <class Weight, class Row>
+  SINEW_INLINE void operator()(const Weight& weight, const Vec<Pack, D>&, const Vec<Pack, D>& X, const Row& j) {
+    const Pack w = weight.average();
+    for (int r = 0; r < D; ++r) sum[r] += w * (j.v[r] - v[r] - 0.5 * dot(j.gradient.row(r), X));
+    first += w * X;
+  }
+  SINEW_INLINE Vec<Pack, D> total(const Mat<Pack, D>& G) const { return sum - 0.5 * (G * first); }
 };
 
 }  // namespace sinew

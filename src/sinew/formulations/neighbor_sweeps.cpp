@@ -37,14 +37,14 @@ struct AdjointShares {
 }  // namespace
 
 template <int D>
-void find_gradients(const NeighborTask<D>& task) {
+void find_gradients(const NeighborTask<D>& task, MatrixField<D>& gradients) {
   const double* gradient = task.weights.pairs.gradient.data();
   const StoredVectors<D> vectors{gradient, gradient};
   for_each_slice<D>(task, vectors, [&](auto& pairs, int, const SliceSlots<D>& slots) {
     Mat<Pack, D> G;
     pairs.for_each_difference(task.scratch.vectors(),
                               [&](std::size_t entry, const Vec<Pack, D>& u) { G += outer(u, vectors.stored(entry).vector(u)); });
-    slots.store_matrix(G, task.matrices.gradient);
+    slots.store_matrix(G, gradients);
   });
 }
 
@@ -54,6 +54,19 @@ void find_laplacians(const NeighborTask<D>& task) {
     const Vec<Pack, D> sum = pairs.sum_differences(task.scratch.vectors(), task.weights.pairs.dissipation.data());
     for (int c = 0; c < D; ++c) slots.store(task.laplacian_scale * sum[c], task.matrices.laplacian.component(c));
   });
+}
+
+template <int D>
+void find_corrected_laplacians(const NeighborTask<D>& task) {
+  const MovingRows<D> moving{task.scratch.vectors(), task.scratch.matrices()};
+  for_each_slice<D>(task, {nullptr, nullptr, nullptr, task.weights.pairs.dissipation.data()},
+                    [&](auto& pairs, int, const SliceSlots<D>& slots) {
+                      CorrectedLaplacian<D> laplacian{pairs.own(moving.v)};
+                      pairs.first_visit_with(moving, laplacian);
+                      const Vec<Pack, D> sum = laplacian.total(slots.load_matrix(task.matrices.velocity_gradient));
+                      for (int c = 0; c < D; ++c)
+                        slots.store(task.laplacian_scale * sum[c], task.matrices.laplacian.component(c));
+                    });
 }
 
 /// t_ij = Q_i V_j g_ij, see StressOfBonds.
@@ -70,8 +83,10 @@ void give_adjoint_forces(const NeighborTask<D>& task) {
                     });
 }
 
-template void find_gradients<2>(const NeighborTask<2>&);
-template void find_gradients<3>(const NeighborTask<3>&);
+template void find_gradients<2>(const NeighborTask<2>&, MatrixField<2>&);
+template void find_gradients<3>(const NeighborTask<3>&, MatrixField<3>&);
+template void find_corrected_laplacians<2>(const NeighborTask<2>&);
+template void find_corrected_laplacians<3>(const NeighborTask<3>&);
 template void find_laplacians<2>(const NeighborTask<2>&);
 template void find_laplacians<3>(const NeighborTask<3>&);
 template void give_adjoint_forces<2>(const NeighborTask<2>&);

@@ -53,6 +53,7 @@ struct WeightOptions {
   bool symmetric = false;    ///< force vectors 1/2 (g_ij - g_ji)
   bool vectors = false;      ///< for other reasons
   bool dissipation = false;  ///< weights of a Laplacian
+  bool by_distance = false;  ///< the length that limits the time step is the nearest distance alone, whatever the volume
 
   /// Some weights need the neighbor's map besides the particle's own.
   bool mutual() const { return symmetric || average == BondAverage::mutual; }
@@ -106,7 +107,7 @@ struct SliceConstants {
   SymmetricPack<D> correction;  ///< L; the identity where pairs have vectors
   Pack volume;                  ///< V_i [length^D]
   Pack hourglass_scale;         ///< 1 / sum_k V_k a_ik r_ik^2 for the conservative form, 1 for the central one [1]
-  Pack inverse_length2;         ///< 1 / length^2, length the smaller of V^(1/D) and the nearest distance
+  Pack inverse_length2;         ///< 1 / length^2, length the smaller of V^(1/D) and the nearest distance, or that alone
 
   SINEW_INLINE Mat<Pack, D> correction_matrix() const { return correction.matrix(); }
 };

@@ -255,7 +255,7 @@ class SliceWeights {
   /// The other constants of one particle.
   void finish(int slice, int k, double volume, const NeighborSums<D>& sums) {
     SliceConstants<D>& own = constants(slice);
-    const double size = std::pow(volume, 1.0 / D);
+    const double size = options_.by_distance ? infinity : std::pow(volume, 1.0 / D);
     double trace = 0.0;
     for (int i = 0; i < D; ++i) trace += sums.moment[i][i][k];
     double scale = options_.hourglass == HourglassWeight::central ? 1.0 : 0.0;

@@ -116,8 +116,10 @@ template <int D, class Pairs>
 SINEW_INLINE void give_dissipation(const SweepTask<D>& task, const SliceConstants<D>& constants, Pairs& pairs, int number,
                                    SweepSums& sums) {
   const SliceSlots<D> slots(task.source.pairs, task.block, number);
-  const Pack size = (task.density * task.thickness * task.laplacian_scale) * constants.volume;
-  const Vec<Pack, D> force = size * pairs.sum_differences(task.scratch.vectors(), task.weights.pairs.dissipation.data());
+  Vec<Pack, D> rate = task.laplacian_scale * pairs.sum_differences(task.scratch.vectors(), task.weights.pairs.dissipation.data());
+  for (int c = 0; task.own_harmonic > 0.0 && c < D; ++c)
+    rate[c] += task.own_harmonic * slots.load(task.matrices.laplacian.component(c));
+  const Vec<Pack, D> force = (task.density * task.thickness * constants.volume) * rate;
   pairs.add_to_own(force);
   for (int c = 0; c < D; ++c) sums.viscous_power -= force[c] * slots.load(task.source.particles.velocity.component(c));
 }

@@ -29,6 +29,7 @@ struct SweepTask {
   ParticleMatrices<D>& matrices;
   double rate_step;        ///< how far the integrated gradients are to go [time]
   double laplacian_scale;  ///< 2 C of JstDissipation; 0 without
+  double own_harmonic;     ///< what multiplies the particle's own Laplacian, where that is corrected; 0 otherwise [length^2/time]
 };
 
 /// Defined in sweep_2d.cpp and sweep_3d.cpp.
@@ -52,12 +53,15 @@ struct NeighborTask {
 
 // Defined in neighbor_sweeps.cpp.
 
-/// F - I of the displacements, which are the vectors in the scratch.
+/// Gradients of the vectors in the scratch: F - I, if these are the displacements.
 template <int D>
-void find_gradients(const NeighborTask<D>& task);
+void find_gradients(const NeighborTask<D>& task, MatrixField<D>& gradients);
 /// Laplacians of the vectors in the scratch.
 template <int D>
 void find_laplacians(const NeighborTask<D>& task);
+/// The same of velocities in the scratch, as vectors, and their gradients, as matrices; see JstDissipation.
+template <int D>
+void find_corrected_laplacians(const NeighborTask<D>& task);
 /// The forces by which the energy of averages over bonds resists the change of the gradients that they average, from the stresses in the scratch.
 template <int D>
 void give_adjoint_forces(const NeighborTask<D>& task);

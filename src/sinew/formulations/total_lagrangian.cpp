@@ -88,7 +88,8 @@ void TotalLagrangian<D>::make_matrices(const Particles<D>& particles) {
   if (rate) matrices_.rate = MatrixField<D>(particles.slots);
   if (rate && options_.stages) matrices_.remembered = MatrixField<D>(particles.slots);
   if (options_.deformation_gradient == DeformationGradient::bond_variational) matrices_.stress = MatrixField<D>(places);
-  if (options_.jst && options_.jst->eta4 > 0.0) matrices_.laplacian = VectorField<D>(places);
+  if (options_.corrects_laplacian()) matrices_.velocity_gradient = MatrixField<D>(places);
+  if (options_.jst && (options_.jst->eta4 > 0.0 || options_.jst->corrected())) matrices_.laplacian = VectorField<D>(places);
 }
 
 /// Coefficients of JST dissipation of each body. The eigenvalues of its Laplacian are not larger than twice the largest sum of its weights (Gershgorin).
@@ -148,8 +149,9 @@ WeightOptions TotalLagrangian<D>::weight_options() const {
     options.average =
         options_.deformation_gradient == DeformationGradient::bond_variational ? BondAverage::mutual : BondAverage::own;
   options.symmetric = options_.momentum == MomentumForm::symmetric;
-  options.vectors = options_.deformation_gradient == DeformationGradient::rate;
+  options.vectors = options_.deformation_gradient == DeformationGradient::rate || options_.corrects_laplacian();
   options.dissipation = options_.jst.has_value();
+  options.by_distance = options_.wave_speed == WaveSpeed::reference;
   return options;
 }
 

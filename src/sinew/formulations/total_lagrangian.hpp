@@ -50,7 +50,7 @@ struct RecordedState {
 enum class WaveSpeed {
   bound,  ///< bound for the current stiffness, in the reference frame; the smaller of V^(1/D) and the reference distance of the nearest neighbor
   stretch,  ///< sqrt((lambda + 2 mu) / rho_0) over the smallest principal stretch; current distance of the nearest neighbor. Wiragunarsa et al. (2024), eq. 31-32
-  reference  ///< sqrt((lambda + 2 mu) / rho_0); distance as for bound
+  reference  ///< sqrt((lambda + 2 mu) / rho_0); reference distance of the nearest neighbor. Likewise, as its cheaper form
 };
 std::string_view name_of(WaveSpeed speed);
 
@@ -82,6 +82,7 @@ struct TotalLagrangianOptions {
   }
   bool separates() const;  ///< any body
   bool averages() const { return deformation_gradient >= DeformationGradient::bond; }
+  bool corrects_laplacian() const { return jst && jst->corrected(); }
   bool needs_velocities() const { return viscosity || jst || deformation_gradient == DeformationGradient::rate; }
   /// All but the original method: its extensions work with pair lists.
   bool extended() const {
@@ -176,7 +177,7 @@ class TotalLagrangian {
   void sweep_to_forces(Particles<D>& particles, VectorField<D>& forces, Finish finish, const Traffic& traffic, Work&& work);
   void bring_copies(Particles<D>& particles);
   void prepare(Particles<D>& particles);
-  void find_gradients_of_all(Particles<D>& particles);
+  void find_gradients_of(const VectorField<D>& field, Particles<D>& particles, MatrixField<D>& gradients);
   void find_laplacians_of_all(Particles<D>& particles);
   void add_adjoint_forces(Particles<D>& particles, VectorField<D>& forces, Finish finish);
   double laplacian_scale(int body) const;

@@ -13,18 +13,21 @@ namespace sinew {
 template <int D>
 void TotalLagrangian<D>::prepare_scratch() {
   while (scratches_.size() < most_threads())
-    scratches_.emplace_back(pairs_, ScratchNeeds{options_.needs_velocities(), options_.averages(), options_.extended()});
+    scratches_.emplace_back(pairs_, ScratchNeeds{options_.needs_velocities(),
+                                                 options_.averages() || options_.corrects_laplacian(), options_.extended()});
 }
 
-/// What JST dissipation takes the Laplacian of, harmonic v - biharmonic lap v.
+/// What JST dissipation takes the plain Laplacian of: harmonic v - biharmonic lap v, or the latter alone.
 template <int D>
 void TotalLagrangian<D>::bring_in_dissipated(const Block& block, const Particles<D>& particles, BlockScratch<D>& scratch) const {
   const auto [harmonic, biharmonic] = dissipation_[block.body];
+  const double of_velocity = options_.jst->corrected() ? 0.0 : harmonic;
   for (int c = 0; c < D; ++c) {
     const double* v = particles.velocity.component(c);
     const double* laplacian = matrices_.laplacian.empty() ? nullptr : matrices_.laplacian.component(c);
-    scratch.bring_in_component(
-        block, c, [&](int slot) { return laplacian ? harmonic * v[slot] - biharmonic * laplacian[slot] : harmonic * v[slot]; });
+    scratch.bring_in_component(block, c, [&](int slot) {
+      return laplacian ? of_velocity * v[slot] - biharmonic * laplacian[slot] : of_velocity * v[slot];
+    });
   }
 }
 
@@ -61,7 +64,8 @@ SweepTask<D> TotalLagrangian<D>::task_of(int index, const PairSource<D>& source,
           options_.deformation_gradient,
           matrices_,
           options_.stages ? 0.0 : step.dt,
-          laplacian_scale(block.body)};
+          laplacian_scale(block.body),
+          options_.jst && options_.jst->corrected() ? dissipation_[block.body].harmonic : 0.0};
 }
 
 /// 0 without JST dissipation.
@@ -153,16 +157,16 @@ NeighborTask<D> TotalLagrangian<D>::neighbor_task(int index, const PairSource<D>
   return {block, source, weights_, scratches_[this_thread()], matrices_, laplacian_scale(block.body)};
 }
 
-/// F - I of all particles, and of copies, whose displacements are here.
+/// Gradients of a field of which the values of copies are here, of all particles and copies.
 template <int D>
-void TotalLagrangian<D>::find_gradients_of_all(Particles<D>& particles) {
+void TotalLagrangian<D>::find_gradients_of(const VectorField<D>& field, Particles<D>& particles, MatrixField<D>& gradients) {
   const PairSource<D> source{particles, pairs_};
   sweep_all(particles, [&](int index) {
     const NeighborTask<D> task = neighbor_task(index, source);
-    task.scratch.bring_in_vectors(task.block, particles.displacement);
-    find_gradients<D>(task);
+    task.scratch.bring_in_vectors(task.block, field);
+    find_gradients<D>(task, gradients);
   });
-  halo_.matrices.start(matrices_.gradient);
+  halo_.matrices.start(gradients);
   halo_.matrices.finish();
 }
 
@@ -170,10 +174,15 @@ void TotalLagrangian<D>::find_gradients_of_all(Particles<D>& particles) {
 template <int D>
 void TotalLagrangian<D>::find_laplacians_of_all(Particles<D>& particles) {
   const PairSource<D> source{particles, pairs_};
+  const bool corrected = options_.corrects_laplacian();
+  if (corrected) find_gradients_of(particles.velocity, particles, matrices_.velocity_gradient);
   sweep_all(particles, [&](int index) {
     const NeighborTask<D> task = neighbor_task(index, source);
     task.scratch.bring_in_vectors(task.block, particles.velocity);
-    find_laplacians<D>(task);
+    if (!corrected) return find_laplacians<D>(task);
+    task.scratch.bring_in(task.block, particles);
+    task.scratch.bring_in_matrices(task.block, matrices_.velocity_gradient);
+    find_corrected_laplacians<D>(task);
   });
   halo_.displacements.start(matrices_.laplacian);
   halo_.displacements.finish();
@@ -184,7 +193,7 @@ template <int D>
 void TotalLagrangian<D>::prepare(Particles<D>& particles) {
   prepare_scratch();
   bring_copies(particles);
-  if (options_.averages()) find_gradients_of_all(particles);
+  if (options_.averages()) find_gradients_of(particles.displacement, particles, matrices_.gradient);
   if (!matrices_.laplacian.empty()) find_laplacians_of_all(particles);
 }
 
@@ -238,7 +247,7 @@ void TotalLagrangian<D>::begin_gradients(Particles<D>& particles) {
   prepare_scratch();
   halo_.displacements.start(particles.displacement);
   halo_.displacements.finish();
-  find_gradients_of_all(particles);
+  find_gradients_of(particles.displacement, particles, matrices_.gradient);
 }
 
 #define SINEW_INSTANTIATE(D)                                                                                                     \
@@ -249,7 +258,7 @@ void TotalLagrangian<D>::begin_gradients(Particles<D>& particles) {
   template ForceSummary TotalLagrangian<D>::total(const std::vector<ForceSummary>&);                                             \
   template void TotalLagrangian<D>::bring_copies(Particles<D>&);                                                                 \
   template NeighborTask<D> TotalLagrangian<D>::neighbor_task(int, const PairSource<D>&);                                         \
-  template void TotalLagrangian<D>::find_gradients_of_all(Particles<D>&);                                                        \
+  template void TotalLagrangian<D>::find_gradients_of(const VectorField<D>&, Particles<D>&, MatrixField<D>&);                    \
   template void TotalLagrangian<D>::find_laplacians_of_all(Particles<D>&);                                                       \
   template void TotalLagrangian<D>::add_adjoint_forces(Particles<D>&, VectorField<D>&, Finish);                                  \
   template void TotalLagrangian<D>::prepare(Particles<D>&);                                                                      \

@@ -52,6 +52,26 @@ TEST(Box, TriangularAndFccHaveEqualVolumesThatSumToTheBox) {
   EXPECT_TRUE(fcc.warnings.empty());
 }
 
+TEST(Box, OnFaces) {
+  const PointSet points = Box{{0, 0, 0}, {1, 1, 2}, lattice(0.5), true}.generate(space);
+  EXPECT_EQ(points.size(), 3u * 3u * 5u);
+  EXPECT_NEAR(total_volume(points), 2.0, 1e-14);
+  EXPECT_NEAR(norm(points.position.front()), 0.0, 1e-15);
+  EXPECT_NEAR(norm(points.position.back() - Point{{1, 1, 2}}), 0.0, 1e-14);
+  EXPECT_DOUBLE_EQ(points.volume.front(), 0.125 / 8.0);
+  EXPECT_DOUBLE_EQ(points.volume[1], 0.125 / 4.0);
+  EXPECT_DOUBLE_EQ(points.volume[4], 0.125 / 2.0);
+  EXPECT_DOUBLE_EQ(points.volume[13], 0.125);
+  LatticeParams moved = lattice(0.1);
+  moved.jitter = 0.3;
+  const PointSet jittered = Box{{0, 0}, {1, 1}, moved, true}.generate(plane);
+  EXPECT_NEAR(total_volume(jittered), 1.0, 1e-12);
+  for (int i = 0; i < 11; ++i) EXPECT_NEAR(jittered.position[i][1], 0.0, 1e-15) << "stays on its face";
+  EXPECT_NE(jittered.position[1][0], 0.1);
+  EXPECT_EQ(error_of(Box{{0, 0}, {1, 1}, lattice(0.1, "triangular"), true}, plane),
+            "\"on_faces\" is for square and cubic lattices, not for \"triangular\".");
+}
+
 TEST(Box, ErrorsNameTheKey) {
   EXPECT_EQ(error_of(Box{{0, 0}, {1, 1, 1}, lattice(0.1)}, space), "\"low\" has 2 coordinates; in 3D it needs 3.");
   EXPECT_EQ(error_of(Box{{0, 0}, {1, 1, 1}, lattice(0.1)}, plane), "\"high\" has 3 coordinates; in 2D it needs 2.");
