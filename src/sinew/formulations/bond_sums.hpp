@@ -49,13 +49,12 @@ struct MovingRows {
   VectorRows<D> v;
   MatrixRows<D> gradient;
 
-  template <class Index>
   struct Of {
     Vec<Pack, D> v;
-    typename MatrixRows<D>::template Of<Index> gradient;
+    typename MatrixRows<D>::Of gradient;
   };
   template <class Index>
-  SINEW_INLINE Of<Index> load(const Index* index) const {
+  SINEW_INLINE Of load(const Index* index) const {
     return {v.load(index), gradient.load(index)};
   }
 };

@@ -25,8 +25,7 @@ class BlockScratch {
     const auto places = static_cast<std::size_t>(pairs.blocks.most_places());
     if (needs.velocities && pairs.lattice.slices() > 0) velocity_ = VectorField<D>(places + 2 * margin_);
     if (needs.velocities && pairs.entries() > 0) velocity_rows_ = AlignedArray<double>(places * vector_width<D>);
-    for (AlignedArray<double>& rows : matrix_rows_)
-      if (needs.matrices) rows = AlignedArray<double>(places * vector_width<D>);
+    if (needs.matrices) matrix_rows_ = AlignedArray<double>(places * D * vector_width<D>);
     if (needs.vectors) vector_rows_ = AlignedArray<double>(places * vector_width<D>);
     if (pairs.lattice.slices() > 0) displacement_ = forces_ = VectorField<D>(places + 2 * margin_);
     if (pairs.entries() == 0) return;
@@ -41,11 +40,7 @@ class BlockScratch {
   const double* displacement(int component) const { return displacement_.component(component) + margin_; }
   const double* velocity(int component) const { return velocity_.empty() ? nullptr : velocity_.component(component) + margin_; }
   const double* velocity_rows() const { return velocity_rows_.data(); }
-  MatrixRows<D> matrices() const {
-    MatrixRows<D> matrices{};
-    for (int r = 0; r < D; ++r) matrices.rows[r] = matrix_rows_[r].data();
-    return matrices;
-  }
+  MatrixRows<D> matrices() const { return {matrix_rows_.data()}; }
   VectorRows<D> vectors() const { return {vector_rows_.data()}; }
   double* forces(int component) { return forces_.component(component) + margin_; }
   const double* place_rows() const { return place_rows_.data(); }
@@ -77,10 +72,11 @@ class BlockScratch {
   /// Matrices of own particles and ghosts.
   void bring_in_matrices(const Block& block, const VectorField<D * D>& field) {
     for_each_run(block.first_own, block.end_runs, [&](const Run& run) {
+      constexpr std::size_t width = D * vector_width<D>;
       for (int n = 0; n < D * D; ++n) {
         const double* from = field.component(n) + run.slot;
-        double* row = matrix_rows_[n / D].data() + std::size_t(vector_width<D>) * run.place + n % D;
-        for (int k = 0; k < run.length; ++k) row[vector_width<D> * k] = from[k];
+        double* row = matrix_rows_.data() + width * run.place + vector_width<D> * (n / D) + n % D;
+        for (int k = 0; k < run.length; ++k) row[width * k] = from[k];
       }
     });
   }
@@ -126,8 +122,7 @@ class BlockScratch {
 
   std::size_t bytes() const {
     return displacement_.bytes() + velocity_.bytes() + velocity_rows_.bytes() + forces_.bytes() + place_rows_.bytes() +
-           D * matrix_rows_[0].bytes() + vector_rows_.bytes() + force_rows_.bytes() + volume_.bytes() + radius_.bytes() +
-           kept_.bytes();
+           matrix_rows_.bytes() + vector_rows_.bytes() + force_rows_.bytes() + volume_.bytes() + radius_.bytes() + kept_.bytes();
   }
 
  private:
@@ -165,7 +160,7 @@ class BlockScratch {
   const BlockPairs<D>& pairs_;
   int margin_;  ///< places that own particles of a lattice do not need, but the lanes beside them read
   VectorField<D> displacement_, velocity_, forces_;
-  AlignedArray<double> place_rows_, velocity_rows_, matrix_rows_[D], vector_rows_, force_rows_, volume_, radius_, kept_;
+  AlignedArray<double> place_rows_, velocity_rows_, matrix_rows_, vector_rows_, force_rows_, volume_, radius_, kept_;
 };
 
 /// Adds to the forces on the particles of one block what others have spilled into it, in their order.

@@ -58,21 +58,22 @@ struct VectorRows {
   }
 };
 
-/// D x D matrices by place, each row a vector row in an array of its own.
+/// D x D matrices by place, D vector rows each.
 template <int D>
 struct MatrixRows {
-  const double* rows[D];
+  const double* rows;
 
   /// Of eight particles, row by row: the whole matrix would not fit into registers.
-  template <class Index>
   struct Of {
-    const MatrixRows& all;
-    const Index* index;
-    SINEW_INLINE Vec<Pack, D> row(int r) const { return load_vectors<D>(all.rows[r], index); }
+    const double* rows;
+    int first_row[lanes];
+    SINEW_INLINE Vec<Pack, D> row(int r) const { return load_vectors<D>(rows + vector_width<D> * r, first_row); }
   };
   template <class Index>
-  SINEW_INLINE Of<Index> load(const Index* index) const {
-    return {*this, index};
+  SINEW_INLINE Of load(const Index* index) const {
+    Of of{rows, {}};
+    for (int k = 0; k < lanes; ++k) of.first_row[k] = D * index[k];
+    return of;
   }
 };
 
