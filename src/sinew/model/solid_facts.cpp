@@ -128,7 +128,8 @@ void SolidSimulation<D>::collect_facts(const std::vector<GeneratedBody>& bodies,
       facts_.warnings.push_back(fmt::format(
           "body \"{}\" comes apart where it fails, but has no [[contact]] with self: its pieces will pass through each other.",
           case_.bodies[b].name));
-  if (!solid_.options().hourglass) facts_.warnings.push_back("zero-energy modes are not controlled: stabilization is off.");
+  if (!solid_.options().hourglass && !solid_.options().jst)
+    facts_.warnings.push_back("zero-energy modes are not controlled: stabilization is off.");
 }
 
 template void SolidSimulation<2>::collect_facts(const std::vector<GeneratedBody>&, double);

@@ -90,7 +90,11 @@ double value_of(const std::vector<double>& rows, int condition, int particle) {
 }
 
 /// What a failed run may try about its zero-energy modes.
-std::string hourglass_advice(const std::optional<HourglassStiffness>& hourglass) {
+std::string hourglass_advice(const TotalLagrangianOptions& options) {
+  const std::optional<HourglassStiffness>& hourglass = options.hourglass;
+  if (options.momentum == MomentumForm::symmetric)
+    return "momentum = \"symmetric\", which can feed motion (try \"bond_variational\", or particles on_faces)";
+  if (!hourglass && options.jst) return "zero-energy modes (try larger coefficients of jst, or hourglass_stiffness)";
   if (!hourglass) return "zero-energy modes, which nothing controls (try stabilization = [{ model = \"hourglass_stiffness\" }])";
   if (!hourglass->conservative())
     return "the central hourglass force, which can feed motion (try normalization = \"conservative\")";
@@ -252,7 +256,7 @@ void SolidSimulation<D>::fail(const std::string& cause) {
         "{:.3g}). Likely causes: a load "
         "or velocity that the particles cannot resolve, too large a time step (try [solver] cfl = {:.2g}), or {}.",
         time_, case_.general.units.name_of("s"), steps_, worst.number, body.name, x[0], x[1], x[2], cause, worst.jacobian,
-        0.5 * case_.solver.cfl, hourglass_advice(solid_.options().hourglass));
+        0.5 * case_.solver.cfl, hourglass_advice(solid_.options()));
   }
   comm_.together([&] {
     if (here) throw SimulationError(text);
