@@ -62,6 +62,11 @@ __global__ void hourglass_shares(double* out, Mat<double, D> F, Vec<double, D> X
   }
 }
 
+template <class Coefficients>
+__global__ void damping_rate(double* out, Coefficients coefficients, double most) {
+  keep(out, coefficients.rate(most));
+}
+
 /// Every function of core/vec.hpp.
 template <int D>
 __global__ void small_matrices(double* out, Mat<double, D> A, Vec<double, D> a) {
@@ -99,7 +104,12 @@ void launch_in_dimensions(double* out) {
   small_matrices<D><<<1, 1>>>(out, A, a);
   Kernels::for_each([&]<class Kernel>() { kernel_values<Kernel, D><<<1, 1>>>(out, 0.5, 1.0); });
   Corrections::for_each([&]<class Correction>() { correction_map<Correction, D><<<1, 1>>>(out, Correction{}, Moments<D>{}, a); });
-  Stabilizations::for_each([&]<class Stabilization>() { hourglass_shares<Stabilization, D><<<1, 1>>>(out, A, a, a); });
+  Stabilizations::for_each([&]<class Stabilization>() {
+    if constexpr (requires { typename Stabilization::Coefficients; })
+      damping_rate<<<1, 1>>>(out, Stabilization{}.coefficients(1.0, 1.0), 1.0);
+    else
+      hourglass_shares<Stabilization, D><<<1, 1>>>(out, A, a, a);
+  });
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ static const std::vector<WrongCase> wrong_bodies{
      "case.toml:11:1: body \"column\": unknown key \"stabilisation\". Known keys: name, geometry, material."},
     {"UnknownKeyInGeometry", "low =", "lo =",
      "case.toml:9:29: body \"column\": geometry: unknown key \"lo\". Did you mean \"low\"? Known keys: shape, low, high, "
-     "spacing, lattice, jitter, seed."},
+     "spacing, lattice, jitter, seed, on_faces."},
     {"UnknownKeyInMaterial", "poissons_ratio", "poisson_ratio",
      "case.toml:15:1: material \"rubber\": unknown key \"poisson_ratio\". Did you mean \"poissons_ratio\"? Known keys: model, "
      "density, youngs_modulus, poissons_ratio, bulk_modulus, shear_modulus, lame_lambda."},

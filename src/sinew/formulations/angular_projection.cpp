@@ -68,6 +68,7 @@ std::vector<typename AngularProjection<D>::Motion> AngularProjection<D>::motions
 template <int D>
 Point AngularProjection<D>::angular_acceleration(const Motion& before, const Motion& after, const Point& center) {
   const Point moment = after.moment - before.moment - cross(center, after.force - before.force);
+  if (norm(moment) == 0.0) return {};  // of tools, which may have no inertia about some axis
   const Mat<double, 3> second = after.second - after.mass * outer(center, center);
   const Mat<double, 3> inertia = trace(second) * Mat<double, 3>::identity() - second;
   if constexpr (D == 2) return {{0.0, 0.0, moment[2] / inertia[2][2]}};

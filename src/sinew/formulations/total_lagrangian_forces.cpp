@@ -20,13 +20,13 @@ void TotalLagrangian<D>::prepare_scratch() {
 /// What JST dissipation takes the plain Laplacian of: harmonic v - biharmonic lap v, or the latter alone.
 template <int D>
 void TotalLagrangian<D>::bring_in_dissipated(const Block& block, const Particles<D>& particles, BlockScratch<D>& scratch) const {
-  const auto [harmonic, biharmonic] = dissipation_[block.body];
-  const double of_velocity = options_.jst->corrected() ? 0.0 : harmonic;
+  const JstDissipation::Coefficients coefficients = dissipation_[block.body];
+  const double of_velocity = options_.jst->corrected() ? 0.0 : coefficients.harmonic;
   for (int c = 0; c < D; ++c) {
     const double* v = particles.velocity.component(c);
     const double* laplacian = matrices_.laplacian.empty() ? nullptr : matrices_.laplacian.component(c);
     scratch.bring_in_component(block, c, [&](int slot) {
-      return laplacian ? of_velocity * v[slot] - biharmonic * laplacian[slot] : of_velocity * v[slot];
+      return laplacian ? of_velocity * v[slot] - coefficients.biharmonic * laplacian[slot] : of_velocity * v[slot];
     });
   }
 }

@@ -170,9 +170,8 @@ struct SolverCase {
     field("cfl", m.cfl, no_unit, "Time step over the time that a wave takes across a particle.", courant, optional);
     field("wave_speed", m.wave_speed, no_unit,
           "That wave: bound, of the current stiffness, across the reference distance of the nearest neighbor, never too slow; "
-          "stretch, of the "
-          "reference "
-          "stiffness over the smallest principal stretch, across its current distance; reference, as at rest, whatever the volume.",
+          "stretch, of the reference stiffness over the smallest principal stretch, across its current distance; "
+          "reference, as at rest, whatever the volume.",
           optional, OneOf{{"bound", "stretch", "reference"}});
     field("end_time", m.end_time, "s", "Time at which the run ends; needed unless max_steps is given.", positive, optional);
     field("max_steps", m.max_steps, no_unit, "Number of steps after which the run ends.", at_least_one, optional);

@@ -11,14 +11,14 @@ namespace sinew {
 namespace {
 
 /// Numbers of one body's particles in the user's order.
-struct UserRange {
+struct NamedRange {
   std::string name;
   int first, count;
 };
 
 template <int D>
-std::vector<UserRange> user_ranges(const Arrangement<D>& particles) {
-  std::vector<UserRange> ranges;
+std::vector<NamedRange> user_ranges(const Arrangement<D>& particles) {
+  std::vector<NamedRange> ranges;
   int first = 0;
   for (const BodyRange& body : particles.bodies) {
     ranges.push_back({body.name, first, body.count});
@@ -80,7 +80,7 @@ template <int D>
 std::vector<int> select(const RegionCase& region, const Case& c, const std::vector<GeneratedBody>& bodies,
                         const Arrangement<D>& particles) {
   std::vector<int> found;
-  const std::vector<UserRange> ranges = user_ranges(particles);
+  const std::vector<NamedRange> ranges = user_ranges(particles);
   for (std::size_t b = 0; b < ranges.size(); ++b) {
     if (!region.body.empty() && ranges[b].name != region.body) continue;
     std::vector<char> in_set(ranges[b].count, region.set.empty());

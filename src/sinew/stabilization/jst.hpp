@@ -48,7 +48,7 @@ struct JstDissipation {
     double biharmonic = 0.0;  ///< eta4 c h^3 [length^4/time]
 
     /// Fastest damping, where -lap has the eigenvalues 0 to `most` [1/length^2].
-    double rate(double most) const { return (harmonic + biharmonic * most) * most; }
+    SINEW_INLINE double rate(double most) const { return (harmonic + biharmonic * most) * most; }
   };
   /// c: wave speed, h: smoothing length.
   Coefficients coefficients(double c, double h) const { return {eta2 * c * h, eta4 * c * h * h * h}; }

@@ -36,6 +36,17 @@ M kirchhoff(const M& P, const M& F) {
   return P * transpose(F);
 }
 
+/// The response, compiled once for a material, whose own functions become part of every caller.
+template <class Material, class M, class History, class T>
+[[gnu::noinline]] auto respond(const Material& material, const M& F, History& history, const T& dt) {
+  return material.respond(F, history, dt);
+}
+/// The tangent likewise.
+template <class Material, class M, class History>
+[[gnu::noinline]] auto tangent(const Material& material, const M& F, const History& history, double dt) {
+  return material.tangent(F, history, dt);
+}
+
 /// A virgin particle that has gone through some random steps; F is where it is now.
 template <class Material>
 PlasticHistory<Mat3<double>> random_history(const Material& m, std::mt19937_64& random, Mat3<double>& F, double amplitude = 0.02,
@@ -44,7 +55,7 @@ PlasticHistory<Mat3<double>> random_history(const Material& m, std::mt19937_64& 
   F = random_rotation(random);
   for (int step = 0; step < 5; ++step) {
     F = random_gradient(random, amplitude) * F;
-    m.respond(F, history, dt);
+    respond(m, F, history, dt);
   }
   return history;
 }
