@@ -111,7 +111,8 @@ int main(int argc, char** argv) {
                                          {"bond_variational, linear", linear, bond_variational},
                                          {"direct, linear, jst eta4", linear, direct, adjoint, biharmonic},
                                          {"direct, linear, jst eta2", linear, direct, adjoint, harmonic},
-                                         {"bond, linear, symmetric, jst eta4", linear, bond, symmetric, biharmonic}};
+                                         {"bond, linear, symmetric, jst eta4", linear, bond, symmetric, biharmonic},
+                                         {"bond, linear, symmetric, jst eta2", linear, bond, symmetric, harmonic}};
   if (argc > 4) methods = {methods[std::atoi(argv[4])]};  // one alone, for a profiler
   benchmark::compare<3>(n3, methods, repeats);
   benchmark::compare<2>(n2, methods, repeats);

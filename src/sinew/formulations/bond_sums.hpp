@@ -43,35 +43,23 @@ struct StressOfBonds {
   }
 };
 
-/// Velocities and their gradients, by place.
+/// What the linear part of the velocities around i, with the gradient G_i, leaves unexplained: exchanged for all pairs,
+///
+///     t_ij = V_i w_ij (v_ij - G_i X_ij) / 2
+///
+/// are a Laplacian of which linear fields are taken off, V_i w_ij (v_ij - (G_i + G_j) X_ij / 2). For ListedPairs::exchange_moving. JstDissipation
 template <int D>
-struct MovingRows {
-  VectorRows<D> v;
-  MatrixRows<D> gradient;
+struct UnexplainedVelocities {
+  Mat<Pack, D> G;
+  Pack half;        ///< of V_i w_ij, over the weight
+  Pack power{0.0};  ///< taken
 
-  struct Of {
-    Vec<Pack, D> v;
-    typename MatrixRows<D>::Of gradient;
-  };
-  template <class Index>
-  SINEW_INLINE Of load(const Index* index) const {
-    return {v.load(index), gradient.load(index)};
+  template <class Weight>
+  SINEW_INLINE Vec<Pack, D> operator()(const Weight& w, const Vec<Pack, D>&, const Vec<Pack, D>& v, const Vec<Pack, D>& X) {
+    const Vec<Pack, D> t = (half * w.dissipation()) * (v - G * X);
+    power += dot(t, v);
+    return t;
   }
-};
-
-/// The Laplacian of velocities of which linear fields are taken off, JstDissipation: sum_j w_ij (v_j - v_i - (G_i + G_j) X_ij / 2).
-template <int D>
-struct CorrectedLaplacian {
-  Vec<Pack, D> v;               ///< of the particle itself
-  Vec<Pack, D> sum{}, first{};  ///< without the part of G_i; sum_j w_ij X_ij
-
-  template <class Weight, class Row>
-  SINEW_INLINE void operator()(const Weight& weight, const Vec<Pack, D>&, const Vec<Pack, D>& X, const Row& j) {
-    const Pack w = weight.average();
-    for (int r = 0; r < D; ++r) sum[r] += w * (j.v[r] - v[r] - 0.5 * dot(j.gradient.row(r), X));
-    first += w * X;
-  }
-  SINEW_INLINE Vec<Pack, D> total(const Mat<Pack, D>& G) const { return sum - 0.5 * (G * first); }
 };
 
 }  // namespace sinew

@@ -38,13 +38,8 @@ struct AdjointShares {
 
 template <int D>
 void find_gradients(const NeighborTask<D>& task, MatrixField<D>& gradients) {
-  const double* gradient = task.weights.pairs.gradient.data();
-  const StoredVectors<D> vectors{gradient, gradient};
-  for_each_slice<D>(task, vectors, [&](auto& pairs, int, const SliceSlots<D>& slots) {
-    Mat<Pack, D> G;
-    pairs.for_each_difference(task.scratch.vectors(),
-                              [&](std::size_t entry, const Vec<Pack, D>& u) { G += outer(u, vectors.stored(entry).vector(u)); });
-    slots.store_matrix(G, gradients);
+  for_each_slice<D>(task, {nullptr, nullptr}, [&](auto& pairs, int, const SliceSlots<D>& slots) {
+    slots.store_matrix(pairs.gradient(task.scratch.vectors(), task.weights.pairs.gradient.data()), gradients);
   });
 }
 
@@ -57,16 +52,15 @@ void find_laplacians(const NeighborTask<D>& task) {
 }
 
 template <int D>
-void find_corrected_laplacians(const NeighborTask<D>& task) {
-  const MovingRows<D> moving{task.scratch.vectors(), task.scratch.matrices()};
-  for_each_slice<D>(task, {nullptr, nullptr, nullptr, task.weights.pairs.dissipation.data()},
-                    [&](auto& pairs, int, const SliceSlots<D>& slots) {
-                      CorrectedLaplacian<D> laplacian{pairs.own(moving.v)};
-                      pairs.first_visit_with(moving, laplacian);
-                      const Vec<Pack, D> sum = laplacian.total(slots.load_matrix(task.matrices.velocity_gradient));
-                      for (int c = 0; c < D; ++c)
-                        slots.store(task.laplacian_scale * sum[c], task.matrices.laplacian.component(c));
-                    });
+void exchange_corrected_laplacians(const NeighborTask<D>& task) {
+  const StoredPairs<double>& weights = task.weights.pairs;
+  const StoredVectors<D> vectors{nullptr, nullptr, nullptr, nullptr, weights.dissipation.data()};
+  const VectorRows<D> velocities{task.scratch.velocity_rows()};
+  for_each_slice<D>(task, vectors, [&](auto& pairs, int slice, const SliceSlots<D>&) {
+    const Pack volume = task.weights.constants[task.weights.constants_of[slice]].volume;
+    UnexplainedVelocities<D> shares{pairs.gradient(velocities, weights.gradient.data()), (0.5 * task.laplacian_scale) * volume};
+    pairs.exchange_moving(shares);
+  });
 }
 
 /// t_ij = Q_i V_j g_ij, see StressOfBonds.
@@ -85,8 +79,8 @@ void give_adjoint_forces(const NeighborTask<D>& task) {
 
 template void find_gradients<2>(const NeighborTask<2>&, MatrixField<2>&);
 template void find_gradients<3>(const NeighborTask<3>&, MatrixField<3>&);
-template void find_corrected_laplacians<2>(const NeighborTask<2>&);
-template void find_corrected_laplacians<3>(const NeighborTask<3>&);
+template void exchange_corrected_laplacians<2>(const NeighborTask<2>&);
+template void exchange_corrected_laplacians<3>(const NeighborTask<3>&);
 template void find_laplacians<2>(const NeighborTask<2>&);
 template void find_laplacians<3>(const NeighborTask<3>&);
 template void give_adjoint_forces<2>(const NeighborTask<2>&);

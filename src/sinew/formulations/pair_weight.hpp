@@ -45,15 +45,17 @@ struct RadialWeight {
 /// The complete gradient as a vector, and more. Each is loaded where it is asked for: all at once they would not fit into registers.
 template <int D>
 struct VectorWeight {
-  const double* gradient_at;   ///< V_j g_ij [1/length], component by component
-  const double* force_at;      ///< the same, or what takes its place in the force [1/length]
-  const double* hourglass_at;  ///< [1/length^2]; nullptr: none
-  const double* average_at;    ///< V_j W1_ij / r_ij^2 of the average over bonds [1/length^2]
+  const double* gradient_at;     ///< V_j g_ij [1/length], component by component
+  const double* force_at;        ///< the same, or what takes its place in the force [1/length]
+  const double* hourglass_at;    ///< [1/length^2]; nullptr: none
+  const double* average_at;      ///< V_j W1_ij / r_ij^2 of the average over bonds [1/length^2]
+  const double* dissipation_at;  ///< V_j a_ij [1/length^2]
 
   SINEW_INLINE Vec<Pack, D> vector(const Vec<Pack, D>&) const { return load(gradient_at); }
   SINEW_INLINE Vec<Pack, D> force(const Vec<Pack, D>&) const { return load(force_at); }
   SINEW_INLINE Pack hourglass_weight() const { return hourglass_at ? Pack::load(hourglass_at) : Pack(0.0); }
   SINEW_INLINE Pack average() const { return Pack::load(average_at); }
+  SINEW_INLINE Pack dissipation() const { return Pack::load(dissipation_at); }
   SINEW_INLINE PackMask present() const { return PackMask::from_bits(0xff); }
 
  private:

@@ -10,12 +10,11 @@ namespace sinew {
 template <int D>
 struct ParticleMatrices {
   int slots = 0;
-  MatrixField<D> gradient;           ///< F - I of the displacements, of copies as well (bonds); or integrated in time (rate)
-  MatrixField<D> rate;               ///< of the latter [1/time]
-  MatrixField<D> remembered;         ///< of the latter, at the beginning of a step of several stages
-  MatrixField<D> stress;             ///< V P, of copies as well (bond_variational) [energy]
-  MatrixField<D> velocity_gradient;  ///< of copies as well (JST, corrected) [1/time]
-  VectorField<D> laplacian;          ///< of the velocities, of copies as well (JST) [1/(length time)]
+  MatrixField<D> gradient;    ///< F - I of the displacements, of copies as well (bonds); or integrated in time (rate)
+  MatrixField<D> rate;        ///< of the latter [1/time]
+  MatrixField<D> remembered;  ///< of the latter, at the beginning of a step of several stages
+  MatrixField<D> stress;      ///< V P, of copies as well (bond_variational) [energy]
+  VectorField<D> laplacian;   ///< of the velocities, of copies as well (JST) [1/(length time)]
 
   void remember() {
     if (remembered.empty()) return;
@@ -36,9 +35,7 @@ struct ParticleMatrices {
       }
     });
   }
-  std::size_t bytes() const {
-    return gradient.bytes() + rate.bytes() + remembered.bytes() + stress.bytes() + velocity_gradient.bytes() + laplacian.bytes();
-  }
+  std::size_t bytes() const { return gradient.bytes() + rate.bytes() + remembered.bytes() + stress.bytes() + laplacian.bytes(); }
 };
 
 }  // namespace sinew

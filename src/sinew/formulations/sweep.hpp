@@ -111,15 +111,23 @@ SINEW_INLINE Pack give_viscous_forces(const SweepTask<D>& task, const SliceConst
   return select(volume > Pack(0.0), rate * rate, Pack(0.0));
 }
 
-/// Forces of JstDissipation on eight particles.
+/// Forces of JstDissipation on eight particles, and of the corrected harmonic term on their pairs.
 template <int D, class Pairs>
 SINEW_INLINE void give_dissipation(const SweepTask<D>& task, const SliceConstants<D>& constants, Pairs& pairs, int number,
                                    SweepSums& sums) {
+  const StoredPairs<double>& weights = task.weights.pairs;
+  const Pack scale = (task.density * task.thickness * task.laplacian_scale) * constants.volume;
+  if constexpr (Pairs::vectors)
+    if (task.corrected_harmonic > 0.0) {
+      const VectorRows<D> velocities{task.scratch.velocity_rows()};
+      UnexplainedVelocities<D> shares{pairs.gradient(velocities, weights.gradient.data()),
+                                      (0.5 * task.corrected_harmonic) * scale};
+      pairs.exchange_moving(shares);
+      sums.viscous_power += shares.power;
+    }
+  if (!task.outer_laplacian) return;
   const SliceSlots<D> slots(task.source.pairs, task.block, number);
-  Vec<Pack, D> rate = task.laplacian_scale * pairs.sum_differences(task.scratch.vectors(), task.weights.pairs.dissipation.data());
-  for (int c = 0; task.own_harmonic > 0.0 && c < D; ++c)
-    rate[c] += task.own_harmonic * slots.load(task.matrices.laplacian.component(c));
-  const Vec<Pack, D> force = (task.density * task.thickness * constants.volume) * rate;
+  const Vec<Pack, D> force = scale * pairs.sum_differences(task.scratch.vectors(), weights.dissipation.data());
   pairs.add_to_own(force);
   for (int c = 0; c < D; ++c) sums.viscous_power -= force[c] * slots.load(task.source.particles.velocity.component(c));
 }
@@ -287,7 +295,8 @@ ForceSummary choose_sweep(const SweepTask<D>& task) {
     return central ? sweep_with<D, SeparateShares<D, CentralForm>>(task) : sweep_with<D, ConservativeShares<D>>(task);
   const StoredPairs<double>& pairs = task.weights.pairs;
   const double* force = pairs.force.size() > 0 ? pairs.force.data() : pairs.gradient.data();
-  const StoredVectors<D> vectors{pairs.gradient.data(), force, pairs.hourglass.data(), pairs.average.data()};
+  const StoredVectors<D> vectors{pairs.gradient.data(), force, pairs.hourglass.data(), pairs.average.data(),
+                                 pairs.dissipation.data()};
   if (task.options.hourglass == HourglassWeight::none) return sweep_runs<D, StressShares<D>>(task, vectors);
   if (central) return sweep_runs<D, SeparateShares<D, CentralForm>>(task, vectors);
   return sweep_runs<D, SeparateShares<D, ConservativeForm>>(task, vectors);

@@ -29,7 +29,9 @@ struct SweepTask {
   ParticleMatrices<D>& matrices;
   double rate_step;        ///< how far the integrated gradients are to go [time]
   double laplacian_scale;  ///< 2 C of JstDissipation; 0 without
-  double own_harmonic;     ///< what multiplies the particle's own Laplacian, where that is corrected; 0 otherwise [length^2/time]
+  bool outer_laplacian;    ///< the vectors in the scratch are to be smoothed by it
+  double
+      corrected_harmonic;  ///< of JstDissipation; 0 without, and where the vectors in the scratch have the harmonic term [length^2/time]
 };
 
 /// Defined in sweep_2d.cpp and sweep_3d.cpp.
@@ -59,9 +61,9 @@ void find_gradients(const NeighborTask<D>& task, MatrixField<D>& gradients);
 /// Laplacians of the vectors in the scratch.
 template <int D>
 void find_laplacians(const NeighborTask<D>& task);
-/// The same of velocities in the scratch, as vectors, and their gradients, as matrices; see JstDissipation.
+/// The same of the velocities, but for linear fields, and times the volume; exchanged like forces. See JstDissipation.
 template <int D>
-void find_corrected_laplacians(const NeighborTask<D>& task);
+void exchange_corrected_laplacians(const NeighborTask<D>& task);
 /// The forces by which the energy of averages over bonds resists the change of the gradients that they average, from the stresses in the scratch.
 template <int D>
 void give_adjoint_forces(const NeighborTask<D>& task);

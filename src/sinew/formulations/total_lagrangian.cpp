@@ -88,8 +88,7 @@ void TotalLagrangian<D>::make_matrices(const Particles<D>& particles) {
   if (rate) matrices_.rate = MatrixField<D>(particles.slots);
   if (rate && options_.stages) matrices_.remembered = MatrixField<D>(particles.slots);
   if (options_.deformation_gradient == DeformationGradient::bond_variational) matrices_.stress = MatrixField<D>(places);
-  if (options_.corrects_laplacian()) matrices_.velocity_gradient = MatrixField<D>(places);
-  if (options_.jst && (options_.jst->eta4 > 0.0 || options_.jst->corrected())) matrices_.laplacian = VectorField<D>(places);
+  if (options_.jst && options_.jst->eta4 > 0.0) matrices_.laplacian = VectorField<D>(places);
 }
 
 /// Coefficients of JST dissipation of each body. The eigenvalues of its Laplacian are not larger than twice the largest sum of its weights (Gershgorin).

@@ -83,7 +83,12 @@ struct TotalLagrangianOptions {
   bool separates() const;  ///< any body
   bool averages() const { return deformation_gradient >= DeformationGradient::bond; }
   bool corrects_laplacian() const { return jst && jst->corrected(); }
+  bool outer_laplacian() const { return jst && (jst->eta4 > 0.0 || !jst->corrected()); }
   bool needs_velocities() const { return viscosity || jst || deformation_gradient == DeformationGradient::rate; }
+  /// With the materials.
+  bool sweeps_velocities() const {
+    return viscosity || deformation_gradient == DeformationGradient::rate || (corrects_laplacian() && jst->eta2 > 0.0);
+  }
   /// All but the original method: its extensions work with pair lists.
   bool extended() const {
     return jst || deformation_gradient != DeformationGradient::direct || momentum != MomentumForm::adjoint;

@@ -13,8 +13,7 @@ namespace sinew {
 template <int D>
 void TotalLagrangian<D>::prepare_scratch() {
   while (scratches_.size() < most_threads())
-    scratches_.emplace_back(pairs_, ScratchNeeds{options_.needs_velocities(),
-                                                 options_.averages() || options_.corrects_laplacian(), options_.extended()});
+    scratches_.emplace_back(pairs_, ScratchNeeds{options_.needs_velocities(), options_.averages(), options_.extended()});
 }
 
 /// What JST dissipation takes the plain Laplacian of: harmonic v - biharmonic lap v, or the latter alone.
@@ -37,9 +36,9 @@ SweepTask<D> TotalLagrangian<D>::task_of(int index, const PairSource<D>& source,
   const Block& block = pairs_.blocks.all[index];
   BlockScratch<D>& scratch = scratches_[this_thread()];
   scratch.bring_in(block, source.particles);
-  if (options_.needs_velocities()) scratch.bring_in_velocities(block, source.particles);
+  if (options_.sweeps_velocities()) scratch.bring_in_velocities(block, source.particles);
   if (options_.averages()) scratch.bring_in_matrices(block, matrices_.gradient);
-  if (options_.jst) bring_in_dissipated(block, source.particles, scratch);
+  if (options_.outer_laplacian()) bring_in_dissipated(block, source.particles, scratch);
   if (block.has_list && options_.weights == WeightStorage::computed)
     scratch.bring_in_sizes(block, source.particles, weights_.radius.data());
   const AnyMaterial& material = options_.materials[block.body];
@@ -65,6 +64,7 @@ SweepTask<D> TotalLagrangian<D>::task_of(int index, const PairSource<D>& source,
           matrices_,
           options_.stages ? 0.0 : step.dt,
           laplacian_scale(block.body),
+          options_.outer_laplacian(),
           options_.jst && options_.jst->corrected() ? dissipation_[block.body].harmonic : 0.0};
 }
 
@@ -170,22 +170,29 @@ void TotalLagrangian<D>::find_gradients_of(const VectorField<D>& field, Particle
   halo_.matrices.finish();
 }
 
-/// Laplacians of the velocities of all particles and copies.
+/// Laplacians of the velocities, which are here of copies as well, of all particles.
 template <int D>
 void TotalLagrangian<D>::find_laplacians_of_all(Particles<D>& particles) {
   const PairSource<D> source{particles, pairs_};
-  const bool corrected = options_.corrects_laplacian();
-  if (corrected) find_gradients_of(particles.velocity, particles, matrices_.velocity_gradient);
-  sweep_all(particles, [&](int index) {
+  if (!options_.corrects_laplacian())
+    return sweep_all(particles, [&](int index) {
+      const NeighborTask<D> task = neighbor_task(index, source);
+      task.scratch.bring_in_vectors(task.block, particles.velocity);
+      find_laplacians<D>(task);
+    });
+  VectorField<D>& laplacian = matrices_.laplacian;
+  const auto over_volume = [&](int begin, int end) {
+    for (int c = 0; c < D; ++c)
+      for (int slot = begin; slot < end; ++slot) laplacian.at(c, slot) /= particles.volume[slot];
+  };
+  sweep_to_forces(particles, laplacian, over_volume, {false, true}, [&](int index) {
     const NeighborTask<D> task = neighbor_task(index, source);
-    task.scratch.bring_in_vectors(task.block, particles.velocity);
-    if (!corrected) return find_laplacians<D>(task);
     task.scratch.bring_in(task.block, particles);
-    task.scratch.bring_in_matrices(task.block, matrices_.velocity_gradient);
-    find_corrected_laplacians<D>(task);
+    task.scratch.bring_in_velocities(task.block, particles);
+    for (int c = 0; c < D; ++c)
+      std::fill(laplacian.component(c) + task.block.begin, laplacian.component(c) + task.block.end, 0.0);
+    exchange_corrected_laplacians<D>(task);
   });
-  halo_.displacements.start(matrices_.laplacian);
-  halo_.displacements.finish();
 }
 
 /// Everything that the sweep of the forces needs to know of neighbors beside their displacements.
@@ -194,7 +201,10 @@ void TotalLagrangian<D>::prepare(Particles<D>& particles) {
   prepare_scratch();
   bring_copies(particles);
   if (options_.averages()) find_gradients_of(particles.displacement, particles, matrices_.gradient);
-  if (!matrices_.laplacian.empty()) find_laplacians_of_all(particles);
+  if (matrices_.laplacian.empty()) return;
+  find_laplacians_of_all(particles);
+  halo_.displacements.start(matrices_.laplacian);
+  halo_.displacements.finish();
 }
 
 template <int D>

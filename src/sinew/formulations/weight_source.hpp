@@ -55,14 +55,16 @@ struct StoredVectors {
   const double* gradient;
   const double* force;                ///< vectors that carry the stress: those of the gradient, or others
   const double* hourglass = nullptr;  ///< nullptr: none
-  const double* average = nullptr;    ///< not read unless it is asked for
+  // not read unless they are asked for
+  const double* average = nullptr;
+  const double* dissipation = nullptr;
   SINEW_INLINE void prefetch(std::size_t) const {}
 
   using Shared = int;
   SINEW_INLINE int of_slice(int place) const { return place; }
   SINEW_INLINE Weight stored(std::size_t entry) const {
     return {gradient + lanes * D * entry, force + lanes * D * entry, hourglass ? hourglass + lanes * entry : nullptr,
-            average + lanes * entry};
+            average + lanes * entry, dissipation + lanes * entry};
   }
   SINEW_INLINE Weight at(std::size_t entry, const PlaceIndex*, const Vec<Pack, D>&, int) const { return stored(entry); }
 };

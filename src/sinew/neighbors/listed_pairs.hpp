@@ -97,6 +97,16 @@ class ListedPairs {
     for_each_difference(z, [&](std::size_t e, const Vec<Pack, D>& dz) { sum += Pack::load(weights + lanes * e) * dz; });
     return sum;
   }
+  /// sum_j (z_j - z_i) (x) vector_ij. `weights`: D numbers a pair, entry by entry, component by component.
+  SINEW_INLINE Mat<Pack, D> gradient(const VectorRows<D>& z, const double* weights) const {
+    Mat<Pack, D> sum;
+    for_each_difference(z, [&](std::size_t e, const Vec<Pack, D>& dz) {
+      Vec<Pack, D> vector;
+      for (int c = 0; c < D; ++c) vector[c] = Pack::load(weights + lanes * (D * e + c));
+      sum += outer(dz, vector);
+    });
+    return sum;
+  }
   /// Adds a force to the particles themselves.
   SINEW_INLINE void add_to_own(const Vec<Pack, D>& force) const {
     subtract_rows(data_.force_rows, OwnPlaces(place_).place, -force);
