@@ -3,26 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sinew/formulations/bond_sums.hpp>
-#include <sinew/formulations/pair_force.hpp>
-#include <sinew/formulations/sweep_dispatch.hpp>
+#include <sinew/formulations/sweep_dissipation.hpp>
 #include <sinew/formulations/weight_source.hpp>
 #include <sinew/neighbors/lattice_pairs.hpp>
 #include <sinew/neighbors/listed_pairs.hpp>
 
 namespace sinew {
-
-/// Sums and extremes over the slices of a block, lane by lane.
-struct SweepSums {
-  Pack energy{0.0}, hourglass_energy{0.0}, released{0.0}, plastic_work{0.0}, damage_work{0.0}, viscous_power{0.0};
-  Pack jacobian{infinity}, stiffness_rate{0.0}, left{1.0};
-
-  ForceSummary total(double density) const {
-    return {sum(energy),          sum(hourglass_energy), sum(released),      sum(plastic_work),
-            sum(damage_work),     sum(viscous_power),    smallest(jacobian), largest(stiffness_rate) / density,
-            smallest(left) == 0.0};
-  }
-};
 
 /// Largest |F X - x| / |X| over the neighbors of eight particles.
 template <int D, class Pairs>
@@ -34,22 +20,6 @@ Pack hourglass_error(const Mat<Pack, D>& F, const Pairs& pairs) {
   });
   return sqrt(error2);
 }
-
-/// A slice on its way through the sweep.
-template <int D>
-struct SliceInWork {
-  Mat<Pack, D> S, F;
-  Mat<Pack, D> direct;  ///< of the displacements, where F is an average over bonds
-  PointResponse<D> point;
-
-  /// What pairs are compared with.
-  template <class Pairs>
-  SINEW_INLINE const Mat<Pack, D>& of_pairs(DeformationGradient form) const {
-    if constexpr (Pairs::vectors)
-      if (form >= DeformationGradient::bond) return direct;
-    return F;
-  }
-};
 
 /// F of eight particles whose gradients are integrated in time.
 template <int D, class Pairs>
@@ -92,44 +62,6 @@ SINEW_INLINE void find_deformation(const SweepTask<D>& task, const SliceConstant
   pairs.first_visit([&](const auto& weight, const Vec<Pack, D>& u, const Vec<Pack, D>& X) { S += outer(u, weight.vector(X)); });
   slice.S = S;
   slice.F = Mat<Pack, D>::identity() + S * constants.correction_matrix();
-}
-
-/// Viscous forces of eight particles and their pairs. Returns what they add to the squared rate of the time step: with a rate of damping of at most four times the
-/// resistance over the mass (both halves of a pair, both ends of it), cfl = 0.3 makes steps of 0.75 over that rate, and 2 would be the limit.
-template <int D, class Pairs>
-SINEW_INLINE Pack give_viscous_forces(const SweepTask<D>& task, const SliceConstants<D>& constants, Pairs& pairs,
-                                      const SliceInWork<D>& slice, int slice_number, SweepSums& sums) {
-  const PointResponse<D>& point = slice.point;
-  const SliceSlots<D> slots(task.source.pairs, task.block, slice_number);
-  const Pack h = 0.5 * slots.load(task.weights.radius.data()), volume = constants.volume * task.thickness;
-  const Pack size = (-0.5 * task.density) * volume * point.jacobian * point.jacobian;
-  ViscousShares<D> shares{size * (transpose(inverse(slice.F)) * constants.correction_matrix()), h, *task.viscosity,
-                          task.sound_speed};
-  pairs.exchange_moving(shares);
-  sums.viscous_power += shares.power;
-  const Pack rate = (1.6 / task.density) * shares.resistance / max(volume, Pack(1e-300));
-  return select(volume > Pack(0.0), rate * rate, Pack(0.0));
-}
-
-/// Forces of JstDissipation on eight particles, and of the corrected harmonic term on their pairs.
-template <int D, class Pairs>
-SINEW_INLINE void give_dissipation(const SweepTask<D>& task, const SliceConstants<D>& constants, Pairs& pairs, int number,
-                                   SweepSums& sums) {
-  const StoredPairs<double>& weights = task.weights.pairs;
-  const Pack scale = (task.density * task.thickness * task.laplacian_scale) * constants.volume;
-  if constexpr (Pairs::vectors)
-    if (task.corrected_harmonic > 0.0) {
-      const VectorRows<D> velocities{task.scratch.velocity_rows()};
-      UnexplainedVelocities<D> shares{pairs.gradient(velocities, weights.gradient.data()),
-                                      (0.5 * task.corrected_harmonic) * scale};
-      pairs.exchange_moving(shares);
-      sums.viscous_power += shares.power;
-    }
-  if (!task.outer_laplacian) return;
-  const SliceSlots<D> slots(task.source.pairs, task.block, number);
-  const Vec<Pack, D> force = scale * pairs.sum_differences(task.scratch.vectors(), weights.dissipation.data());
-  pairs.add_to_own(force);
-  for (int c = 0; c < D; ++c) sums.viscous_power -= force[c] * slots.load(task.source.particles.velocity.component(c));
 }
 
 /// Of eight particles with history: what flow and damage have taken, also of the energy of the hourglass stiffness.
