@@ -28,14 +28,14 @@ def flags_of(entry):
     return tuple(words[:ends])
 
 
-def groups(entries, largest=LARGEST):
-    """Lists of (sources, flags): of one folder, with the same flags, at most `largest` each.
+def groups(entries, root=ROOT, largest=LARGEST):
+    """Lists of (sources, flags): of one folder under root/src, with the same flags, at most `largest` each.
 
     Sources that instantiate single members stand apart: after them, their class cannot be instantiated as a whole."""
     alike = {}
     for entry in entries:
         source = Path(entry["file"])
-        if ROOT / "src" in source.parents:
+        if root / "src" in source.parents:
             members = MEMBERS.search(source.read_text()) is not None
             alike.setdefault((source.parent, flags_of(entry), members), []).append(source)
     found = []

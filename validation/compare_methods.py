@@ -51,10 +51,10 @@ def column(rows, name):
     return [float(row[key]) for row in rows]
 
 
-def run(program, folder, method, case):
+def run_case(program, out, method, case, more=()):
+    """(summary, rows of the history) of one run in the folder `out`."""
     path, settings = CASES[case]
-    out = os.path.join(folder, f"{list(METHODS).index(method)}_{case}")
-    sets = settings + METHODS[method]
+    sets = [*settings, *more, *METHODS[method]]
     if case == "pulling":  # waves become three times as fast
         sets = [s.replace("solver.cfl=0.9", "solver.cfl=0.3") for s in sets]
     if case == "twisting":
@@ -95,7 +95,8 @@ def main():
     print("| method | bending: energy, time to solution | pulling: stretch, time | twisting at 400 rad/s: energy, time | spinning: angular momentum, energy | "
           "swinging: error at 20 cells |\n|---|---|---|---|---|---|")
     with tempfile.TemporaryDirectory() as folder, ThreadPoolExecutor(arguments.j) as pool:
-        work = {(m, c): pool.submit(run, arguments.program, folder, m, c) for m in METHODS for c in CASES}
+        work = {(m, c): pool.submit(run_case, arguments.program, os.path.join(folder, f"{list(METHODS).index(m)}_{c}"), m, c)
+                for m in METHODS for c in CASES}
         for method in METHODS:
             print(f"| {method} | " + " | ".join(describe(c, *work[method, c].result()) for c in CASES) + " |", flush=True)
 
