@@ -1,6 +1,7 @@
 /// Sweeps before and after the one over the materials, for methods that need gradients, Laplacians or stresses of neighbors. All pairs are listed, with vectors (but for Laplacians).
 
 #include <sinew/formulations/bond_sums.hpp>
+#include <sinew/formulations/pair_force.hpp>
 #include <sinew/formulations/slice_slots.hpp>
 #include <sinew/formulations/sweep_dispatch.hpp>
 #include <sinew/formulations/weight_source.hpp>

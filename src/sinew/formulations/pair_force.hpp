@@ -138,4 +138,23 @@ struct ViscousShares {
   }
 };
 
+/// What the linear part of the velocities around i, with the gradient G_i, leaves unexplained: exchanged for all pairs,
+///
+///     t_ij = V_i w_ij (v_ij - G_i X_ij) / 2
+///
+/// are a Laplacian of which linear fields are taken off, V_i w_ij (v_ij - (G_i + G_j) X_ij / 2). For ListedPairs::exchange_moving. JstDissipation
+template <int D>
+struct UnexplainedVelocities {
+  Mat<Pack, D> G;
+  Pack half;        ///< of V_i w_ij, over the weight
+  Pack power{0.0};  ///< taken
+
+  template <class Weight>
+  SINEW_INLINE Vec<Pack, D> operator()(const Weight& w, const Vec<Pack, D>&, const Vec<Pack, D>& v, const Vec<Pack, D>& X) {
+    const Vec<Pack, D> t = (half * w.dissipation()) * (v - G * X);
+    power += dot(t, v);
+    return t;
+  }
+};
+
 }  // namespace sinew

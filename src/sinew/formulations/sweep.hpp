@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sinew/formulations/bond_sums.hpp>
 #include <sinew/formulations/sweep_dissipation.hpp>
 #include <sinew/formulations/weight_source.hpp>
 #include <sinew/neighbors/lattice_pairs.hpp>

@@ -27,11 +27,10 @@ struct SweepTask {
   RecordedState* record;  ///< nullptr: forces only
   DeformationGradient form;
   ParticleMatrices<D>& matrices;
-  double rate_step;        ///< how far the integrated gradients are to go [time]
-  double laplacian_scale;  ///< 2 C of JstDissipation; 0 without
-  bool outer_laplacian;    ///< the vectors in the scratch are to be smoothed by it
-  double
-      corrected_harmonic;  ///< of JstDissipation; 0 without, and where the vectors in the scratch have the harmonic term [length^2/time]
+  double rate_step;           ///< how far the integrated gradients are to go [time]
+  double laplacian_scale;     ///< 2 C of JstDissipation; 0 without
+  bool outer_laplacian;       ///< the vectors in the scratch are to be smoothed by it
+  double corrected_harmonic;  ///< of JstDissipation, where it is exchanged by pairs; 0 otherwise [length^2/time]
 };
 
 /// Defined in sweep_2d.cpp and sweep_3d.cpp.

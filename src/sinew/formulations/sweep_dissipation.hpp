@@ -1,7 +1,6 @@
 #pragma once
 /// Forces that depend on velocities: artificial viscosity and JST dissipation.
 
-#include <sinew/formulations/bond_sums.hpp>
 #include <sinew/formulations/pair_force.hpp>
 #include <sinew/formulations/slice_slots.hpp>
 #include <sinew/formulations/slice_work.hpp>

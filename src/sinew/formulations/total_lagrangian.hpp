@@ -85,7 +85,7 @@ struct TotalLagrangianOptions {
   bool corrects_laplacian() const { return jst && jst->corrected(); }
   bool outer_laplacian() const { return jst && (jst->eta4 > 0.0 || !jst->corrected()); }
   bool needs_velocities() const { return viscosity || jst || deformation_gradient == DeformationGradient::rate; }
-  /// With the materials.
+  /// The sweep over the materials needs velocities of neighbors.
   bool sweeps_velocities() const {
     return viscosity || deformation_gradient == DeformationGradient::rate || (corrects_laplacian() && jst->eta2 > 0.0);
   }
