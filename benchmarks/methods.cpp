@@ -31,7 +31,7 @@ class Solid {
         solid_(particles_, std::vector<double>(particles_.slots, support), options(method)),
         forces_(particles_.slots) {
     set_motion(particles_);
-    solid_.begin_gradients(particles_);
+    solid_.begin(particles_);
     step(0.0);
   }
 

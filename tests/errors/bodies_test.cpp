@@ -93,9 +93,8 @@ static const std::vector<WrongCase> wrong_bodies{
     {"UnknownCorrection", "support = 2.4", "support = 2.4\ncorrection = \"gradiant\"",
      "case.toml:19:14: [formulation]: correction: unknown correction \"gradiant\". Did you mean \"gradient\"? Known corrections: "
      "..."},
-    {"UnknownFormulation", "support = 2.4", "model = \"updated_lagrangian\"",
-     "case.toml:18:9: [formulation]: model: unknown name \"updated_lagrangian\". Did you mean \"total_lagrangian\"? Known names: "
-     "total_lagrangian."},
+    {"UnknownFormulation", "support = 2.4", "model = \"eulerian\"",
+     "case.toml:18:9: [formulation]: model: unknown name \"eulerian\". Known names: total_lagrangian, updated_lagrangian."},
     {"UnknownStabilization", "hourglass_stiffness", "hourglass_stifness",
      "case.toml:19:29: [formulation]: stabilization 1: unknown stabilization \"hourglass_stifness\". Did you mean "
      "\"hourglass_stiffness\"? Known stabilizations: ..."},

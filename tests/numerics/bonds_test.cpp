@@ -87,7 +87,7 @@ void check_patch(DeformationGradient form, const AnyCorrection& correction) {
   Cloud<D> cloud = make_cloud<D>(D == 3 ? 5 : 9, 0.4, 2.41, false, 1, 1);
   displace<D>(cloud.particles, shear<D>(), 0.0);
   TotalLagrangian<D> solid(cloud.particles, cloud.radius, method<D>(form, MomentumForm::adjoint, correction));
-  solid.begin_gradients(cloud.particles);
+  solid.begin(cloud.particles);
   RecordedState state(cloud.particles.slots);
   solid.record(cloud.particles, state);
   for (int slot : cloud.particles.slot_of)

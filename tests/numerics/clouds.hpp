@@ -75,7 +75,7 @@ Material material_with(double density, double youngs_modulus, double poissons_ra
   m.elastic.youngs_modulus = youngs_modulus;
   m.elastic.poissons_ratio = poissons_ratio;
   m.elastic.complete();
-  if constexpr (HasHistory<Material>) m.hardening.yield_stress = 0.05 * youngs_modulus;
+  if constexpr (requires { m.hardening; }) m.hardening.yield_stress = 0.05 * youngs_modulus;
   return m;
 }
 

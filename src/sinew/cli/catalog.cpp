@@ -29,6 +29,10 @@ CatalogKind formulations() {
           {{"total_lagrangian",
             "Kernel and neighbors in the reference configuration; conserves momenta by construction.",
             "Ganzenmueller (2015); Ren et al. (2020)",
+            {}},
+           {"updated_lagrangian",
+            "Kernel and neighbors on the current configuration: conventional SPH for solids, and its cures.",
+            "Gray, Monaghan & Swift (2001); Islam & Peng (2019), sec. 2",
             {}}}};
 }
 

@@ -150,6 +150,24 @@ SINEW_INLINE void load_columns(const double* rows, const Index* index, Doubles (
   load_eight(rows + 2, index, second);
 }
 
+/// Columns 0 to 3 of the rows of `width` doubles at index[0..3].
+template <int width, class Index>
+SINEW_INLINE void load_four_quads(const double* rows, const Index* index, Four (&column)[4]) {
+  const double* r[4];
+  for (int k = 0; k < 4; ++k) r[k] = rows + width * static_cast<std::ptrdiff_t>(index[k]);
+  const Four a = join(r[0], r[2]), b = join(r[1], r[3]), c = join(r[0] + 2, r[2] + 2), d = join(r[1] + 2, r[3] + 2);
+  column[0] = even(a, b), column[1] = odd(a, b);
+  column[2] = even(c, d), column[3] = odd(c, d);
+}
+/// The same of eight rows.
+template <int width, class Index>
+SINEW_INLINE void load_quads(const double* rows, const Index* index, Doubles (&column)[4]) {
+  Four lo[4], hi[4];
+  load_four_quads<width>(rows, index, lo);
+  load_four_quads<width>(rows, index + 4, hi);
+  for (int c = 0; c < 4; ++c) column[c] = {lo[c], hi[c]};
+}
+
 template <class Row>
 SINEW_INLINE void subtract_row(double* rows, int index, Row r) {
   *reinterpret_cast<Row*>(rows + sizeof(Row) / sizeof(double) * static_cast<std::ptrdiff_t>(index)) -= r;

@@ -112,6 +112,21 @@ SINEW_INLINE void load_columns(const double* rows, const Index* index, Doubles (
   second[0] = odd_pairs(e01, e23), second[1] = odd_pairs(o01, o23);
 }
 
+/// Columns 0 to 3 of the rows of `width` doubles at index[0..7].
+template <int width, class Index>
+SINEW_INLINE void load_quads(const double* rows, const Index* index, Doubles (&column)[4]) {
+  auto r = [=](int k) {  // rows k and k + 4 side by side
+    const double *first = rows + width * static_cast<std::ptrdiff_t>(index[k]),
+                 *second = rows + width * static_cast<std::ptrdiff_t>(index[k + 4]);
+    return __builtin_shufflevector(*reinterpret_cast<const Four*>(first), *reinterpret_cast<const Four*>(second), 0, 1, 2, 3, 4,
+                                   5, 6, 7);
+  };
+  const Doubles r0 = r(0), r1 = r(1), r2 = r(2), r3 = r(3);
+  const Doubles e01 = even(r0, r1), o01 = odd(r0, r1), e23 = even(r2, r3), o23 = odd(r2, r3);
+  column[0] = even_pairs(e01, e23), column[1] = even_pairs(o01, o23);
+  column[2] = odd_pairs(e01, e23), column[3] = odd_pairs(o01, o23);
+}
+
 /// Subtracts {x y z 0} of lane k from the row of four doubles at index[k], one lane after the other.
 template <class Index>
 SINEW_INLINE void subtract_columns(double* rows, const Index* index, Doubles x, Doubles y, Doubles z) {

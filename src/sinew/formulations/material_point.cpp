@@ -65,6 +65,26 @@ SINEW_INLINE void for_each_number(History& history, const SliceHistory<D>& slice
   });
 }
 
+SINEW_INLINE const Mat<Pack, 3>& plane_of(const Mat3<Pack>& F) { return F; }
+SINEW_INLINE const Mat<Pack, 2>& plane_of(const PlaneMatrix<Pack>& F) { return F.in_plane; }
+
+/// Of a history before a step.
+struct Before {
+  Pack modulus, strain, work;
+};
+
+/// Stores the new history where it is to be kept, and tells of it.
+template <int D, class Material, class History>
+SINEW_INLINE void finish_history(const Material& material, History& history, const Before& before, const SliceHistory<D>& slice,
+                                 PointResponse<D>& out) {
+  out.hourglass_left = material.hourglass_modulus(history) / before.modulus;
+  out.plastic = {history.strain, history.work, material.temperature(history), history.strain - before.strain,
+                 history.work - before.work};
+  if (slice.step.keep())
+    for_each_number(history, slice,
+                    [&](const Pack& number, double* values) { slice.slots.store(number, values, slice.block.first); });
+}
+
 template <int D, class Material>
 void respond_with_history(const void* pointer, const Mat<Pack, D>& plane, const SliceHistory<D>* slice, PointResponse<D>& out) {
   const Material& material = *static_cast<const Material*>(pointer);
@@ -73,14 +93,18 @@ void respond_with_history(const void* pointer, const Mat<Pack, D>& plane, const 
   typename Material::template History<M> history;
   for_each_number(history, *slice,
                   [&](Pack& number, const double* values) { number = slice->slots.load(values, slice->block.first); });
-  const Pack modulus = material.hourglass_modulus(history), strain = history.strain, work = history.work;
-  const Response<M> r = slice->step.respond() ? material.respond(F, history, slice->step.dt) : material.recall(F, history);
-  put(F, r, material.acoustic_stiffness(F, r.P), modulus, out);
-  out.hourglass_left = material.hourglass_modulus(history) / modulus;
-  out.plastic = {history.strain, history.work, material.temperature(history), history.strain - strain, history.work - work};
-  if (slice->step.keep())
-    for_each_number(history, *slice,
-                    [&](const Pack& number, double* values) { slice->slots.store(number, values, slice->block.first); });
+  const Before before{material.hourglass_modulus(history), history.strain, history.work};
+  Response<M> r = slice->step.respond() ? material.respond(F, history, slice->step.dt) : material.recall(F, history);
+  if constexpr (requires { Material::in_rates; })
+    if (slice->shapeless) {
+      const M round = material.forget_shape(F, history);
+      *slice->shapeless = plane_of(round);
+      r = material.recall(round, history);
+      put(round, r, material.acoustic_stiffness(round, r.P), before.modulus, out);
+      return finish_history(material, history, before, *slice, out);
+    }
+  put(F, r, material.acoustic_stiffness(F, r.P), before.modulus, out);
+  finish_history(material, history, before, *slice, out);
 }
 
 /// How many numbers a history has.

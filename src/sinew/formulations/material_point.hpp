@@ -62,6 +62,8 @@ struct SliceHistory {
   SliceSlots<D> slots;
   PointStep step;
   const double* radius;  ///< by slot: support radius [length]
+  /// If given, a material that is written in rates puts here F with the same volume and no shape, from which it will go on.
+  Mat<Pack, D>* shapeless = nullptr;
 };
 
 /// Where damage finds its numbers in a history, and the speed of sound of the material.

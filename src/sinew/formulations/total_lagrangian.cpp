@@ -10,19 +10,6 @@
 
 namespace sinew {
 
-namespace {
-
-/// Of the materials of all bodies.
-template <int D>
-std::vector<int> history_numbers(const TotalLagrangianOptions& options) {
-  std::vector<int> numbers;
-  for (std::size_t b = 0; b < options.materials.size(); ++b)
-    numbers.push_back(material_point<D>(options.materials[b], options.damage_of(b), options.plane_stress).numbers);
-  return numbers;
-}
-
-}  // namespace
-
 template <int D>
 TotalLagrangian<D>::TotalLagrangian(const Particles<D>& particles, const std::vector<double>& support_radius,
                                     TotalLagrangianOptions options)
@@ -34,13 +21,11 @@ TotalLagrangian<D>::TotalLagrangian(const Particles<D>& particles, const std::ve
 template <int D>
 TotalLagrangian<D>::TotalLagrangian(const Particles<D>& particles, BlockPairs<D> pairs, const std::vector<double>& support_radius,
                                     TotalLagrangianOptions options, const Comm& comm, Halo halo)
-    : options_(std::move(options)),
-      comm_(comm),
-      halo_(std::move(halo)),
-      pairs_(std::move(pairs)),
+    : Formulation<D>(comm, std::move(pairs), std::move(halo),
+                     HistoryStore(particles.blocks, history_numbers<D>(options.materials, options.damages, options.plane_stress)),
+                     options.thickness),
+      options_(std::move(options)),
       countdown_(pairs_.blocks),
-      history_(particles.blocks, history_numbers<D>(options_)),
-      summaries_(pairs_.blocks.all.size()),
       spilled_(pairs_.blocks.ghosts) {
   for (int b = 0; b < pairs_.blocks.count(); ++b) {
     const Block& block = pairs_.blocks.all[b];
@@ -121,7 +106,7 @@ void TotalLagrangian<D>::limit_time_step(const Particles<D>& particles) {
   double omega2 = 0.0;
   for (std::size_t b = 0; b < particles.bodies.size(); ++b) {
     const AnyMaterial& material = options_.materials[b];
-    const double stiffness = options_.hourglass->coefficient() * youngs_modulus_of(material) * weights_.most_stiffness[b];
+    const double stiffness = options_.hourglass_coefficient(b) * youngs_modulus_of(material) * weights_.most_stiffness[b];
     omega2 = std::max(omega2, 4.0 * stiffness / density_of(material) / (options_.hourglass->conservative() ? 1.0 : D));
   }
   hourglass_time_step_ = omega2 > 0.0 ? 2.0 / std::sqrt(omega2) : infinity;
@@ -194,19 +179,6 @@ void TotalLagrangian<D>::restore_cracks(const Particles<D>& particles, const std
   separation(particles, weights).cut_off_again(failed);
   weights_.most_stiffness = most_stiffness;
   limit_time_step(particles);
-}
-
-template <int D>
-StoredEnergy TotalLagrangian<D>::stored_energy() const {
-  std::vector<int> numbers;
-  std::vector<double> partial;
-  for (int b = 0; b < pairs_.blocks.count(); ++b) {
-    numbers.push_back(pairs_.blocks.all[b].number);
-    partial.insert(partial.end(), {summaries_[b].strain_energy, summaries_[b].hourglass_energy, summaries_[b].plastic_work,
-                                   summaries_[b].damage_work});
-  }
-  const std::vector<double> sums = sum_over_blocks(comm_, numbers, partial, 4);
-  return {sums[0], sums[1], sums[2], sums[3]};
 }
 
 template <int D>

@@ -8,43 +8,13 @@
 /// known, adds t_ij = V_i V_j P_i g_ij to itself and subtracts it from j. So one sweep needs no stress of a neighbor, and radii may differ. Block by
 /// block: each adds up in places of its own, see neighbors/blocks.hpp.
 
-#include <memory>
-#include <optional>
-#include <sinew/core/function_ref.hpp>
-#include <sinew/formulations/history.hpp>
+#include <sinew/formulations/formulation.hpp>
 #include <sinew/formulations/pair_weights.hpp>
 #include <sinew/formulations/particle_matrices.hpp>
 #include <sinew/neighbors/block_scratch.hpp>
-#include <sinew/neighbors/cracks.hpp>
-#include <sinew/parallel/share.hpp>
 #include <sinew/stabilization/registry.hpp>
 
 namespace sinew {
-
-/// What one evaluation of the forces says about the state, over all particles of this rank.
-struct ForceSummary {
-  double strain_energy = 0.0;     ///< sum V psi [energy]; not finite if any particle is not
-  double hourglass_energy = 0.0;  ///< measure of the energy in the hourglass stiffness [energy]
-  double released = 0.0;       ///< what the hourglass stiffness has lost since the last step, since flow has softened it [energy]
-  double plastic_work = 0.0;   ///< dissipated in all of the past [energy]
-  double damage_work = 0.0;    ///< likewise by damage [energy]
-  double viscous_power = 0.0;  ///< taken by artificial viscosity and JST dissipation [energy/time]
-  double smallest_jacobian = 1.0;  ///< min det F
-  double largest_rate2 = 0.0;      ///< max of (fastest wave speed / length)^2 [1/time^2]
-  bool fails = false;              ///< whether the damage of a particle has become 1 in this step
-  bool finite = true;              ///< whether all of it is a number
-};
-
-/// Point-wise results in computing order, for files and probes.
-struct RecordedState {
-  VectorField<9> deformation_gradient;  ///< row-major
-  VectorField<9> stress;                ///< first Piola-Kirchhoff, likewise
-  AlignedArray<double> energy_density;
-  AlignedArray<double> hourglass_error;  ///< largest |F X - x| / |X| over the neighbors; empty if nobody wants it
-  VectorField<4>
-      inelastic;  ///< plastic strain, plastic work [pressure], temperature [K], damage; empty if no material has a history
-  explicit RecordedState(int slots) : deformation_gradient(slots), stress(slots), energy_density(slots) {}
-};
 
 /// Which wave limits the time step, and across which distance.
 enum class WaveSpeed {
@@ -70,6 +40,7 @@ struct TotalLagrangianOptions {
   bool stages = false;  ///< several evaluations a step: gradients that are integrated in time go on in advance_gradients()
   std::vector<std::optional<AnyDamage>> damages{};  ///< one a body, or empty: none
   WaveSpeed wave_speed = WaveSpeed::bound;
+  std::vector<double> hourglass_factors{};  ///< of the coefficient of the hourglass stiffness, one a body; empty: 1
 
   /// nullptr: none.
   const AnyDamage* damage_of(std::size_t body) const {
@@ -81,6 +52,11 @@ struct TotalLagrangianOptions {
     return damage && std::visit([](const auto& model) { return model.growth.separate; }, *damage);
   }
   bool separates() const;  ///< any body
+  /// Of the hourglass stiffness of a body, 0 without one; see HourglassStiffness::coefficient.
+  double hourglass_coefficient(std::size_t body) const {
+    if (!hourglass) return 0.0;
+    return hourglass->coefficient() * (hourglass_factors.empty() ? 1.0 : hourglass_factors[body]);
+  }
   bool averages() const { return deformation_gradient >= DeformationGradient::bond; }
   bool corrects_laplacian() const { return jst && jst->corrected(); }
   bool outer_laplacian() const { return jst && (jst->eta4 > 0.0 || !jst->corrected()); }
@@ -95,11 +71,6 @@ struct TotalLagrangianOptions {
   }
 };
 
-/// Energies of all particles of all ranks.
-struct StoredEnergy {
-  double strain = 0.0, hourglass = 0.0, plastic_work = 0.0, damage_work = 0.0;
-};
-
 /// Whether pairs of regular arrangements can go without a list.
 bool may_use_lattice(const TotalLagrangianOptions& options);
 
@@ -111,61 +82,46 @@ template <int D>
 class Separation;
 
 template <int D>
-class TotalLagrangian {
+class TotalLagrangian final : public Formulation<D> {
  public:
+  using typename Formulation<D>::Finish;
   /// All particles of a case. `support_radius`: per slot [length]. The particles stay with the caller; only their reference configuration is used here.
   TotalLagrangian(const Particles<D>& particles, const std::vector<double>& support_radius, TotalLagrangianOptions options);
   /// The particles of this rank with their pairs, and how it talks to the others. Radii of copies are not needed. Collective.
   TotalLagrangian(const Particles<D>& particles, BlockPairs<D> pairs, const std::vector<double>& support_radius,
                   TotalLagrangianOptions options, const Comm& comm, Halo halo);
-  TotalLagrangian(const TotalLagrangian&) = delete;
-  TotalLagrangian& operator=(const TotalLagrangian&) = delete;
 
-  // The following are collective, since displacements of copies come in and forces on them go back.
-
-  /// Called with slots [begin, end) whose forces are complete, as soon as they are, from any thread.
-  using Finish = FunctionRef<void(int begin, int end)>;
-  /// Adds the pair forces of the current displacements to `forces`; the materials go on from their histories as `step` says. With
-  /// `record` it keeps F, P and energies of every particle besides.
   ForceSummary internal_forces(Particles<D>& particles, VectorField<D>& forces, PointStep step, Finish finish,
-                               RecordedState* record = nullptr);
+                               RecordedState* record = nullptr) override;
   ForceSummary internal_forces(Particles<D>& particles, VectorField<D>& forces) {
     return internal_forces(particles, forces, {0.0, HistoryUse::advance}, [](int, int) {});
   }
+  ForceSummary record(Particles<D>& particles, RecordedState& state) override;
+
   /// Gradients that are integrated in time (DeformationGradient::rate) begin as those of the current displacements.
-  void begin_gradients(Particles<D>& particles);
+  void begin(Particles<D>& particles) override;
+  bool needs_first_rates() const override { return !matrices_.rate.empty(); }
+  void begin_stages() override { matrices_.remember(); }
+  void advance_stage(double begin, double rest, double dt) override { matrices_.advance(begin, rest, dt); }
   ParticleMatrices<D>& matrices() { return matrices_; }
   const ParticleMatrices<D>& matrices() const { return matrices_; }
 
-  /// The same sweep for what it keeps alone; histories stay.
-  ForceSummary record(Particles<D>& particles, RecordedState& state);
-  /// Of the state of the last evaluation of the forces.
-  StoredEnergy stored_energy() const;
-  /// Of the last evaluation, block by block.
-  const std::vector<ForceSummary>& block_summaries() const { return summaries_; }
-  HistoryStore& history() { return history_; }
-
-  /// Cuts off the particles that have failed in the last evaluation of the forces, if they are to separate, and those that would be left with too few
-  /// neighbors. The elastic energy that this takes is `released` in the summaries. Returns whether there were any. Collective.
-  bool separate(const Particles<D>& particles);
-  /// The same at a restart. `failed`: {number, contact radius} of each; `most_stiffness`: as it was, see below. Collective.
+  /// Besides those that have failed, those are cut off that would be left with too few neighbors.
+  bool separate(const Particles<D>& particles) override;
   void restore_cracks(const Particles<D>& particles, const std::vector<double>& failed,
-                      const std::vector<double>& most_stiffness);
-  const Cracks<D>& cracks() const { return cracks_; }
-  /// Largest sum of the hourglass weights of a particle so far, of each body [1/length^2].
-  const std::vector<double>& most_stiffness() const { return weights_.most_stiffness; }
+                      const std::vector<double>& most_stiffness) override;
+  bool separates() const override { return options_.separates(); }
+  std::vector<double> most_stiffness() const override { return weights_.most_stiffness; }
+  FieldsToSave<D> fields_to_save() override;
 
-  /// Upper limit of the time step from the hourglass stiffness, 2 / omega; infinity without it.
-  double hourglass_time_step() const { return hourglass_time_step_; }
-  /// Fastest damping by JST dissipation [1/time].
-  double dissipation_rate() const { return dissipation_rate_; }
-  /// sum_j V_j |dW/dr| / r X_ij: points from a particle to its neighbors [1/length].
-  Vec<double, D> toward_neighbors(const Particles<D>& particles, int slot) const;
-  const BlockPairs<D>& pairs() const { return pairs_; }
-  const LatticePatterns<D>& lattice() const { return pairs_.lattice; }
+  double hourglass_time_step() const override { return hourglass_time_step_; }
+  double dissipation_rate() const override { return dissipation_rate_; }
+  Vec<double, D> toward_neighbors(const Particles<D>& particles, int slot) const override;
+  std::string_view weights_name() const override { return name_of(options_.weights); }
+  std::vector<std::string> warnings() const override;
+  std::string advice() const override;
   const TotalLagrangianOptions& options() const { return options_; }
-  const Halo& halo() const { return halo_; }
-  std::size_t bytes() const;
+  std::size_t bytes() const override;
 
  private:
   SweepTask<D> task_of(int block, const PairSource<D>& source, const WeightOptions& weights, PointStep step,
@@ -190,7 +146,6 @@ class TotalLagrangian {
   void make_matrices(const Particles<D>& particles);
   void make_dissipation();
   void bring_in_dissipated(const Block& block, const Particles<D>& particles, BlockScratch<D>& scratch) const;
-  static ForceSummary total(const std::vector<ForceSummary>& of_blocks);
 
   Separation<D> separation(const Particles<D>& particles, const WeightOptions& weights);
   void measure_again(const Particles<D>& particles, const std::vector<char>& changed);
@@ -200,20 +155,16 @@ class TotalLagrangian {
   void choose_weights();
   void prepare_scratch();
 
+  using Formulation<D>::comm_, Formulation<D>::halo_, Formulation<D>::pairs_, Formulation<D>::history_, Formulation<D>::cracks_,
+      Formulation<D>::summaries_;
   TotalLagrangianOptions options_;
-  Comm comm_;
-  Halo halo_;
-  BlockPairs<D> pairs_;
   std::vector<int> inner_, edge_;  ///< blocks that reach no copies, and those that do
   BlockCountdown countdown_;
   PairWeights<D> weights_;
   double hourglass_time_step_ = infinity, dissipation_rate_ = 0.0;
   std::vector<JstDissipation::Coefficients> dissipation_;  ///< one a body
   ParticleMatrices<D> matrices_;
-  HistoryStore history_;
-  Cracks<D> cracks_;
-  std::vector<ForceSummary> summaries_;     ///< one a block, of the last evaluation of the forces
-  std::vector<ForceSummary> recorded_;      ///< scratch, likewise of record()
+  std::vector<ForceSummary> recorded_;      ///< scratch, like the summaries, of record()
   VectorField<D> spilled_;                  ///< scratch: forces on ghosts
   std::vector<BlockScratch<D>> scratches_;  ///< one a thread
 };

@@ -50,7 +50,7 @@ SweepTask<D> TotalLagrangian<D>::task_of(int index, const PairSource<D>& source,
           material_point<D>(material, options_.damage_of(block.body), options_.plane_stress),
           options_.thickness,
           density_of(material),
-          options_.hourglass ? options_.hourglass->coefficient() : 0.0,
+          options_.hourglass_coefficient(block.body),
           soft ? 0.0 : youngs_modulus_of(material),
           options_.viscosity ? &*options_.viscosity : nullptr,
           std::sqrt(youngs_modulus_of(material) / density_of(material)),
@@ -72,23 +72,6 @@ SweepTask<D> TotalLagrangian<D>::task_of(int index, const PairSource<D>& source,
 template <int D>
 double TotalLagrangian<D>::laplacian_scale(int body) const {
   return options_.jst && weights_.most_trace[body] > 0.0 ? 2.0 * D / weights_.most_trace[body] : 0.0;
-}
-
-template <int D>
-ForceSummary TotalLagrangian<D>::total(const std::vector<ForceSummary>& of_blocks) {
-  ForceSummary total;
-  for (const ForceSummary& part : of_blocks) {
-    total.strain_energy += part.strain_energy;
-    total.hourglass_energy += part.hourglass_energy;
-    total.released += part.released;
-    total.plastic_work += part.plastic_work;
-    total.damage_work += part.damage_work;
-    total.viscous_power += part.viscous_power;
-    total.smallest_jacobian = std::min(total.smallest_jacobian, part.smallest_jacobian);
-    total.largest_rate2 = std::max(total.largest_rate2, part.largest_rate2);
-  }
-  total.finite = std::isfinite(total.strain_energy);
-  return total;
 }
 
 /// Calls work(block) for all blocks. Displacements of copies are on their way during the first half of the blocks that do not need them, forces on
@@ -218,7 +201,7 @@ ForceSummary TotalLagrangian<D>::internal_forces(Particles<D>& particles, Vector
   sweep_to_forces(particles, forces, variational ? Finish(later) : finish, {!options_.averages(), true},
                   [&](int index) { summaries_[index] = sweep_block<D>(task_of(index, source, weights, step, record)); });
   if (variational) add_adjoint_forces(particles, forces, finish);
-  return total(summaries_);
+  return total_of(summaries_);
 }
 
 /// What follows when the stresses of all particles are known.
@@ -248,11 +231,11 @@ ForceSummary TotalLagrangian<D>::record(Particles<D>& particles, RecordedState& 
                  task.scratch.discard(task.block);
                },
                {!options_.averages(), false});
-  return total(recorded_);
+  return total_of(recorded_);
 }
 
 template <int D>
-void TotalLagrangian<D>::begin_gradients(Particles<D>& particles) {
+void TotalLagrangian<D>::begin(Particles<D>& particles) {
   if (options_.deformation_gradient != DeformationGradient::rate) return;
   prepare_scratch();
   halo_.displacements.start(particles.displacement);
@@ -265,7 +248,6 @@ void TotalLagrangian<D>::begin_gradients(Particles<D>& particles) {
   template void TotalLagrangian<D>::bring_in_dissipated(const Block&, const Particles<D>&, BlockScratch<D>&) const;              \
   template SweepTask<D> TotalLagrangian<D>::task_of(int, const PairSource<D>&, const WeightOptions&, PointStep, RecordedState*); \
   template double TotalLagrangian<D>::laplacian_scale(int) const;                                                                \
-  template ForceSummary TotalLagrangian<D>::total(const std::vector<ForceSummary>&);                                             \
   template void TotalLagrangian<D>::bring_copies(Particles<D>&);                                                                 \
   template NeighborTask<D> TotalLagrangian<D>::neighbor_task(int, const PairSource<D>&);                                         \
   template void TotalLagrangian<D>::find_gradients_of(const VectorField<D>&, Particles<D>&, MatrixField<D>&);                    \
@@ -274,7 +256,7 @@ void TotalLagrangian<D>::begin_gradients(Particles<D>& particles) {
   template void TotalLagrangian<D>::prepare(Particles<D>&);                                                                      \
   template ForceSummary TotalLagrangian<D>::internal_forces(Particles<D>&, VectorField<D>&, PointStep, Finish, RecordedState*);  \
   template ForceSummary TotalLagrangian<D>::record(Particles<D>&, RecordedState&);                                               \
-  template void TotalLagrangian<D>::begin_gradients(Particles<D>&);
+  template void TotalLagrangian<D>::begin(Particles<D>&);
 SINEW_INSTANTIATE(2)
 SINEW_INSTANTIATE(3)
 

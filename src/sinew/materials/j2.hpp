@@ -2,6 +2,7 @@
 
 #include <sinew/core/matrix_functions.hpp>
 #include <sinew/materials/hardening/hardening.hpp>
+#include <sinew/materials/history_numbers.hpp>
 #include <sinew/materials/material.hpp>
 
 namespace sinew {
@@ -18,24 +19,6 @@ struct PlasticHistory {
     use(history.strain);
     use(history.work);
     symmetric_numbers(history.metric, use);
-  }
-
- private:
-  template <class U>
-  static void symmetric_numbers(PlaneMatrix<U>& m, auto&& use) {
-    use(m.in_plane[0][0]);
-    use(m.in_plane[1][1]);
-    use(m.in_plane[0][1]);
-    use(m.out_of_plane);
-    m.in_plane[1][0] = m.in_plane[0][1];
-  }
-  template <class U>
-  static void symmetric_numbers(Mat3<U>& m, auto&& use) {
-    for (int i = 0; i < 3; ++i)
-      for (int j = i; j < 3; ++j) {
-        use(m[i][j]);
-        m[j][i] = m[i][j];
-      }
   }
 };
 

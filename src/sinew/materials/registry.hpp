@@ -9,6 +9,10 @@
 #include <sinew/materials/linear_elastic.hpp>
 #include <sinew/materials/neo_hookean.hpp>
 #include <sinew/materials/neo_hookean_isochoric.hpp>
+#include <sinew/materials/rate_form.hpp>
+#include <sinew/materials/rates/drucker_prager.hpp>
+#include <sinew/materials/rates/elastic_rate.hpp>
+#include <sinew/materials/rates/mu_i_rheology.hpp>
 #include <sinew/materials/rigid.hpp>
 #include <sinew/materials/st_venant_kirchhoff.hpp>
 
@@ -16,7 +20,8 @@ namespace sinew {
 
 using ElasticMaterials = TypeList<LinearElastic, StVenantKirchhoff, NeoHookean, NeoHookeanIsochoric>;
 using PlasticMaterials = TypeList<J2<LinearHardening>, J2<VoceHardening>, J2<JohnsonCookHardening>>;
-using DeformableMaterials = Joined<ElasticMaterials, PlasticMaterials>;
+using RateMaterials = TypeList<RateForm<ElasticRate>, RateForm<DruckerPrager>, RateForm<MuIRheology>>;
+using DeformableMaterials = Joined<Joined<ElasticMaterials, PlasticMaterials>, RateMaterials>;
 using Materials = Joined<DeformableMaterials, TypeList<Rigid>>;
 using AnyMaterial = Materials::Variant;
 

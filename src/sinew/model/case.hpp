@@ -64,7 +64,7 @@ struct BodyCase {
 /// [formulation]
 struct FormulationCase {
   std::string model = "total_lagrangian";
-  AnyKernel kernel = Spiky{};
+  AnyKernel kernel = Spiky{};       ///< wendland_c2 on the current configuration
   std::optional<double> support;    ///< kernel radius in particle spacings; either this or `neighbors`
   std::optional<double> neighbors;  ///< radius per particle so that about this many neighbors are inside it
   AnyCorrection correction = GradientCorrection{};
@@ -74,16 +74,19 @@ struct FormulationCase {
   std::vector<AnyStabilization> stabilizations{HourglassStiffness{}};
   Place place;
 
-  static constexpr double default_support = 2.41;
+  static constexpr double default_support = 2.41, default_moving_support = 3.0;
 
   static void describe(auto&& field, auto& m) {
-    field("model", m.model, no_unit, "The formulation.", optional, OneOf{{"total_lagrangian"}});
-    field("kernel", m.kernel, no_unit, "The smoothing kernel.", optional);
-    field("support", m.support, no_unit, "Kernel radius in particle spacings; 2.41 if neither this nor `neighbors` is given.",
+    field("model", m.model, no_unit, "The formulation.", optional, OneOf{{"total_lagrangian", "updated_lagrangian"}});
+    field("kernel", m.kernel, no_unit, "The smoothing kernel; spiky (updated_lagrangian: wendland_c2) if not given.", optional);
+    field("support", m.support, no_unit,
+          "Kernel radius in particle spacings; 2.41 (updated_lagrangian: 3) if neither this nor `neighbors` is given.",
           at_least_one, optional);
     field("neighbors", m.neighbors, no_unit, "Instead of `support`: a radius per particle with about this many neighbors inside.",
           at_least_one, optional);
-    field("correction", m.correction, no_unit, "Correction of the kernel gradient.", optional);
+    field("correction", m.correction, no_unit,
+          "Correction of the kernel gradient; gradient if not given, none for updated_lagrangian without non_nested_shear.",
+          optional);
     field("deformation_gradient", m.deformation_gradient, no_unit,
           "How the deformation gradient is computed: direct, from displacements; rate, integrated in time from velocities; bond, "
           "averaged over the bonds of a particle; bond_variational, the same, with the force that conserves its energy.",
@@ -95,7 +98,10 @@ struct FormulationCase {
     field("project_angular_momentum", m.project_angular_momentum, no_unit,
           "Take the net moment out of the internal forces of each body, for methods that do not conserve angular momentum.",
           optional);
-    field("stabilization", m.stabilizations, no_unit, "Treatments of zero-energy modes; [] or \"none\" for none.", optional);
+    field("stabilization", m.stabilizations, no_unit,
+          "Treatments of zero-energy modes; [] or \"none\" for none. If not given hourglass_stiffness, for updated_lagrangian "
+          "none.",
+          optional);
   }
 };
 

@@ -39,7 +39,7 @@ bool is_motion(BoundaryCase::Kind kind) {
 
 /// Unit vector away from the neighbors of a particle.
 template <int D>
-Vec<double, D> outward_normal(const Particles<D>& particles, const TotalLagrangian<D>& solid, int slot) {
+Vec<double, D> outward_normal(const Particles<D>& particles, const Formulation<D>& solid, int slot) {
   const Vec<double, D> inward = solid.toward_neighbors(particles, slot);
   const double length = norm(inward);
   return length > 0.0 ? (-1.0 / length) * inward : inward;
@@ -64,7 +64,7 @@ std::vector<double> areas(const BoundaryCase& b, const Region& region, const Par
 /// than p A; say so if any leans more than 25 degrees from the mean.
 template <int D>
 void warn_of_oblique_normals(const BoundaryCase& b, const Region& region, const Particles<D>& particles,
-                             const TotalLagrangian<D>& solid, const Comm& comm, std::vector<std::string>& warnings) {
+                             const Formulation<D>& solid, const Comm& comm, std::vector<std::string>& warnings) {
   if (b.normal) return;
   std::vector<double> sums(D * particles.blocks.size(), 0.0);
   for (int slot : region.slots) {
@@ -88,7 +88,7 @@ void warn_of_oblique_normals(const BoundaryCase& b, const Region& region, const 
 /// A pressure p on an area with outward normal N is the force -p N A; component by component.
 template <int D>
 void add_pressure(const BoundaryCase& b, const std::vector<int>& slots, const std::vector<double>& area,
-                  const Particles<D>& particles, const TotalLagrangian<D>& solid, std::vector<LoadCondition>& loads) {
+                  const Particles<D>& particles, const Formulation<D>& solid, std::vector<LoadCondition>& loads) {
   for (int c = 0; c < D; ++c) {
     LoadCondition load{c, field_function(*b.value[0]), slots, {}};
     for (std::size_t k = 0; k < slots.size(); ++k) {
@@ -186,7 +186,7 @@ PrescribedMotion<D> make_prescribed_motion(const Case& c, const Regions& regions
 }
 
 template <int D>
-Loads<D> make_loads(const Case& c, const Regions& regions, const Particles<D>& particles, const TotalLagrangian<D>& solid,
+Loads<D> make_loads(const Case& c, const Regions& regions, const Particles<D>& particles, const Formulation<D>& solid,
                     const Comm& comm, std::vector<std::string>& warnings) {
   std::vector<LoadCondition> loads;
   for (const BoundaryCase& b : c.boundary) {
@@ -233,9 +233,9 @@ template PrescribedMotion<2> make_prescribed_motion<2>(const Case&, const Region
                                                        std::vector<std::string>&);
 template PrescribedMotion<3> make_prescribed_motion<3>(const Case&, const Regions&, const Particles<3>&, const Comm&,
                                                        std::vector<std::string>&);
-template Loads<2> make_loads<2>(const Case&, const Regions&, const Particles<2>&, const TotalLagrangian<2>&, const Comm&,
+template Loads<2> make_loads<2>(const Case&, const Regions&, const Particles<2>&, const Formulation<2>&, const Comm&,
                                 std::vector<std::string>&);
-template Loads<3> make_loads<3>(const Case&, const Regions&, const Particles<3>&, const TotalLagrangian<3>&, const Comm&,
+template Loads<3> make_loads<3>(const Case&, const Regions&, const Particles<3>&, const Formulation<3>&, const Comm&,
                                 std::vector<std::string>&);
 template void set_initial_state<2>(const Case&, const Regions&, const Comm&, Particles<2>&);
 template void set_initial_state<3>(const Case&, const Regions&, const Comm&, Particles<3>&);

@@ -3,7 +3,7 @@
 
 #include <sinew/formulations/boundary/loads.hpp>
 #include <sinew/formulations/boundary/prescribed_motion.hpp>
-#include <sinew/formulations/total_lagrangian.hpp>
+#include <sinew/formulations/formulation.hpp>
 #include <sinew/model/case.hpp>
 #include <sinew/model/regions.hpp>
 
@@ -24,7 +24,7 @@ Vec<double, D> constant_body_force(const Case& c);
 /// Forces (shared by volume), tractions and pressures (by area). A particle's own area is one face of its cell, V^((D-1)/D); the normal of a
 /// pressure is the direction away from its neighbors.
 template <int D>
-Loads<D> make_loads(const Case& c, const Regions& regions, const Particles<D>& particles, const TotalLagrangian<D>& solid,
+Loads<D> make_loads(const Case& c, const Regions& regions, const Particles<D>& particles, const Formulation<D>& solid,
                     const Comm& comm, std::vector<std::string>& warnings);
 
 /// Displacements and velocities at time 0.

@@ -146,7 +146,7 @@ const std::map<std::string_view, ParticleQuantity<D>>& quantities() {
       {"force", quantity<D>([](S s, At i) { return i.of(s.particles.mass.data()) * i.of(s.particles.acceleration); })},
       {"contact_force", quantity<D>([](S s, At i) { return contact_force_at(s, i); })},
       {"position", quantity<D>([](S s, At i) { return i.of(s.particles.position) + i.of(s.particles.displacement); })},
-      {"volume", quantity<D>([](S s, At i) { return i.of(s.particles.volume.data()) * s.solid.options().thickness; })},
+      {"volume", quantity<D>([](S s, At i) { return i.of(s.particles.volume.data()) * s.solid.thickness(); })},
       {"neighbors", quantity<D>([](S s, At i) { return i.each([&](int k) { return s.solid.pairs().neighbor_count[k]; }); })},
       {"deformation_gradient", quantity<D>([](S s, At i) { return gradient_at(s, i); })},
       {"first_piola_kirchhoff_stress", quantity<D>([](S s, At i) { return first_stress_at(s, i); })},

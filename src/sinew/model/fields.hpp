@@ -1,7 +1,7 @@
 #pragma once
 /// The quantities of particles, computed when somebody asks.
 
-#include <sinew/formulations/total_lagrangian.hpp>
+#include <sinew/formulations/formulation.hpp>
 #include <sinew/model/field_names.hpp>
 #include <sinew/particles/snapshot.hpp>
 #include <span>
@@ -16,7 +16,7 @@ bool needs_record(std::string_view quantity);
 template <int D>
 struct QuantitySource {
   const Particles<D>& particles;
-  const TotalLagrangian<D>& solid;
+  const Formulation<D>& solid;
   const RecordedState* record;
   const VectorField<D>* contact_forces = nullptr;
 };

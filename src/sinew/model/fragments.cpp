@@ -14,7 +14,7 @@ constexpr double failed = std::numeric_limits<double>::infinity();
 template <int D>
 class Labels {
  public:
-  Labels(const Particles<D>& particles, const TotalLagrangian<D>& solid, const RecordedState& state)
+  Labels(const Particles<D>& particles, const Formulation<D>& solid, const RecordedState& state)
       : particles_(particles),
         copies_(solid.halo().displacements),
         label_(static_cast<std::size_t>(particles.slots) + particles.copies),
@@ -90,7 +90,7 @@ std::vector<double> masses_by_block(const Particles<D>& particles, const Labels<
 }  // namespace
 
 template <int D>
-Fragments find_fragments(const Comm& comm, const Particles<D>& particles, const TotalLagrangian<D>& solid,
+Fragments find_fragments(const Comm& comm, const Particles<D>& particles, const Formulation<D>& solid,
                          const RecordedState& state) {
   Labels<D> labels(particles, solid, state);
   labels.spread(comm);
@@ -113,7 +113,7 @@ Fragments find_fragments(const Comm& comm, const Particles<D>& particles, const 
   return fragments;
 }
 
-template Fragments find_fragments<2>(const Comm&, const Particles<2>&, const TotalLagrangian<2>&, const RecordedState&);
-template Fragments find_fragments<3>(const Comm&, const Particles<3>&, const TotalLagrangian<3>&, const RecordedState&);
+template Fragments find_fragments<2>(const Comm&, const Particles<2>&, const Formulation<2>&, const RecordedState&);
+template Fragments find_fragments<3>(const Comm&, const Particles<3>&, const Formulation<3>&, const RecordedState&);
 
 }  // namespace sinew

@@ -1,7 +1,7 @@
 #pragma once
 /// The pieces into which bodies have broken: particles that are not failed, linked to those of their neighbors in the reference configuration that are not failed either.
 
-#include <sinew/formulations/total_lagrangian.hpp>
+#include <sinew/formulations/formulation.hpp>
 
 namespace sinew {
 
@@ -13,7 +13,7 @@ struct Fragments {
 
 /// `state`: has the damage of the particles. The same numbers on any number of ranks. Collective.
 template <int D>
-Fragments find_fragments(const Comm& comm, const Particles<D>& particles, const TotalLagrangian<D>& solid,
+Fragments find_fragments(const Comm& comm, const Particles<D>& particles, const Formulation<D>& solid,
                          const RecordedState& state);
 
 }  // namespace sinew

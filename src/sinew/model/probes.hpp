@@ -14,7 +14,7 @@ template <int D>
 struct ProbedState {
   const Comm& comm;
   const Particles<D>& particles;
-  const TotalLagrangian<D>& solid;
+  const Formulation<D>& solid;
   const PrescribedMotion<D>& motion;
   const Contacts<D>& contacts;
   const RecordedState* record;

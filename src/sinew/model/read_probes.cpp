@@ -56,6 +56,10 @@ void check_quantity(const CaseReader& reader, ProbeCase& probe, const Node& entr
   check_component(probe, quantity, entry, owner, dimension);
   if (probe.quantity == "thickness_stretch" && dimension == 3)
     throw CaseError(place_of(entry, "quantity"), owner + ": thickness_stretch exists in two dimensions only");
+  if (probe.quantity == "hourglass_error" && reader.result.formulation.model == "updated_lagrangian")
+    throw CaseError(place_of(entry, "quantity"), owner +
+                                                     ": hourglass_error does not exist with \"updated_lagrangian\", whose "
+                                                     "deformation gradient is not one of displacements");
   if (probe.quantity == "reaction_force" && probe.region.empty())
     throw CaseError(entry.place, owner + ": \"region\" is missing; it says on which particles the reaction force is summed");
   check_wall(reader, probe, entry, owner);

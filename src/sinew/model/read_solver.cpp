@@ -1,5 +1,6 @@
 #include <sinew/model/read_case.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace sinew {
@@ -32,11 +33,23 @@ void read_solver_and_output(CaseReader& reader) {
   if (solver.integrator == "rk3" && (reader.root.find("contact") || reader.root.find("wall")))
     throw CaseError(table.find("integrator")->place,
                     "[solver]: integrator \"rk3\" knows no contact and no walls; use \"velocity_verlet\"");
+  if (reader.result.formulation.model == "updated_lagrangian") {
+    if (solver.integrator != "velocity_verlet")
+      throw CaseError(table.find("integrator")->place,
+                      "[solver]: \"updated_lagrangian\" goes with integrator \"velocity_verlet\"");
+    if (solver.wave_speed != "bound")
+      throw CaseError(table.find("wave_speed")->place, "[solver]: \"updated_lagrangian\" goes with wave_speed \"bound\"");
+  }
   add_resolved(reader, "solver", std::move(resolved));
 
   const Node output_table = section_table(reader, "output");
   OutputCase& output = reader.result.output;
   add_resolved(reader, "output", read_described(output, output_table, "[output]", reader.reading));
+  if (reader.result.formulation.model == "updated_lagrangian" &&
+      std::find(output.fields.begin(), output.fields.end(), "hourglass_error") != output.fields.end())
+    throw CaseError(output_table.find("fields")->place,
+                    "[output]: fields: hourglass_error does not exist with \"updated_lagrangian\", whose deformation gradient is "
+                    "not one of displacements");
   const bool png = output.picture.ends_with(".png") && output.picture.find('/') == std::string::npos;
   if (!output.picture.empty() && !png)
     throw CaseError(

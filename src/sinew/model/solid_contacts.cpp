@@ -15,7 +15,7 @@ void SolidSimulation<D>::check_same_parts(const SavedState& s) {
   };
   const auto history = s.fields.find("history");
   const int width = history == s.fields.end() ? 0 : history->second.width;
-  if (width != solid_.history().width()) differ("materials or damage");
+  if (width != solid_->history().width()) differ("materials or damage");
   const auto size = [&](const std::string& name) {
     const auto found = s.arrays.find(name);
     return found == s.arrays.end() ? std::size_t{0} : found->second.size();

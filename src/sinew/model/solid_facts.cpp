@@ -23,6 +23,10 @@ ModelFacts::Body facts_of(const BodyRange& range, const BodyCase& c) {
   return body;
 }
 
+bool separates(const BodyCase& body) {
+  return body.damage && std::visit([](const auto& model) { return model.growth.separate; }, *body.damage);
+}
+
 }  // namespace
 
 /// Particles, volumes and masses of all bodies, with what belongs to all ranks.
@@ -34,7 +38,7 @@ void SolidSimulation<D>::collect_bodies(const std::vector<GeneratedBody>& bodies
     const BlockRange& block = particles_.blocks[b];
     double* of_body = sums.data() + 2 * (count * b + block.body);
     for (int slot = block.begin; slot < block.end; ++slot) {
-      of_body[0] += particles_.volume[slot] * solid_.options().thickness;
+      of_body[0] += particles_.volume[slot] * solid_->thickness();
       of_body[1] += particles_.mass[slot];
     }
   }
@@ -52,12 +56,12 @@ void SolidSimulation<D>::collect_bodies(const std::vector<GeneratedBody>& bodies
 /// How the ranks share the case, and what they send each other.
 template <int D>
 void SolidSimulation<D>::collect_ranks() {
-  const Halo& halo = solid_.halo();
+  const Halo& halo = solid_->halo();
   const auto sent = static_cast<double>(halo.displacements.bytes() + halo.forces.bytes());
   RanksPlan& ranks = facts_.ranks;
   ranks.ranks = comm_.size();
   ranks.particles_most = static_cast<long>(comm_.maximum(particles_.count));
-  ranks.pairs_most = static_cast<long>(comm_.maximum(static_cast<double>(solid_.pairs().pairs)));
+  ranks.pairs_most = static_cast<long>(comm_.maximum(static_cast<double>(solid_->pairs().pairs)));
   ranks.pairs_imbalance = static_cast<double>(ranks.pairs_most) * comm_.size() / static_cast<double>(facts_.pairs) - 1.0;
   ranks.copies_share = static_cast<double>(comm_.sum(long{particles_.copies})) / static_cast<double>(facts_.particles);
   ranks.bytes = static_cast<double>(comm_.sum(static_cast<long>(sent)));
@@ -88,15 +92,16 @@ void SolidSimulation<D>::warn_of_supersonic_motion() {
 
 template <int D>
 void SolidSimulation<D>::collect_facts(const std::vector<GeneratedBody>& bodies, double setup_seconds) {
-  const BlockPairs<D>& list = solid_.pairs();
-  const LatticePatterns<D>& lattice = solid_.lattice();
-  long counts[] = {particles_.count,
-                   static_cast<long>(list.pairs),
-                   lattice.slices(),
-                   list.blocks.slices(),
-                   list.blocks.count(),
-                   static_cast<long>(lattice.patterns.size()),
-                   static_cast<long>(particles_.bytes() + solid_.bytes() + forces_.bytes() + order_.bytes() + contacts_.bytes())};
+  const BlockPairs<D>& list = solid_->pairs();
+  const LatticePatterns<D>& lattice = solid_->lattice();
+  long counts[] = {
+      particles_.count,
+      static_cast<long>(list.pairs),
+      lattice.slices(),
+      list.blocks.slices(),
+      list.blocks.count(),
+      static_cast<long>(lattice.patterns.size()),
+      static_cast<long>(particles_.bytes() + solid_->bytes() + forces_.bytes() + order_.bytes() + contacts_.bytes())};
   comm_.sum(counts);
   facts_.particles = counts[0];
   facts_.pairs = counts[1];
@@ -115,21 +120,20 @@ void SolidSimulation<D>::collect_facts(const std::vector<GeneratedBody>& bodies,
   facts_.blocks = static_cast<int>(counts[4]);
   facts_.lattice_share = static_cast<double>(counts[2]) / static_cast<double>(counts[3]);
   facts_.lattice_patterns = static_cast<int>(counts[5]);
-  facts_.pair_weights = name_of(solid_.options().weights);
+  facts_.pair_weights = solid_->weights_name();
   facts_.setup_seconds = setup_seconds;
   collect_bodies(bodies);
   collect_ranks();
   for (const auto& [name, region] : regions_) facts_.regions[name] = region.particles;
   warn_of_supersonic_motion();
-  if (bodies.size() > 1 && !contacts_.pairs().any())
+  if (bodies.size() > 1 && !contacts_.pairs().any() && case_.formulation.model == "total_lagrangian")
     facts_.warnings.push_back("the bodies do not act on each other: there is no [[contact]] between them.");
   for (std::size_t b = 0; b < bodies.size(); ++b)
-    if (solid_.options().separates(b) && !contacts_.pairs().touches_itself(static_cast<int>(b)))
+    if (separates(case_.bodies[b]) && !contacts_.pairs().touches_itself(static_cast<int>(b)))
       facts_.warnings.push_back(fmt::format(
           "body \"{}\" comes apart where it fails, but has no [[contact]] with self: its pieces will pass through each other.",
           case_.bodies[b].name));
-  if (!solid_.options().hourglass && !solid_.options().jst)
-    facts_.warnings.push_back("zero-energy modes are not controlled: stabilization is off.");
+  for (const std::string& warning : solid_->warnings()) facts_.warnings.push_back(warning);
 }
 
 template void SolidSimulation<2>::collect_facts(const std::vector<GeneratedBody>&, double);

@@ -13,6 +13,17 @@ WeightStorage weight_storage(const std::string& name) {
   return WeightStorage::automatic;
 }
 
+/// See NonNestedShear.
+void use_shear_as_hourglass(const NonNestedShear& shear, const Case& c, TotalLagrangianOptions& options) {
+  options.hourglass = HourglassStiffness{};
+  for (const BodyCase& body : c.bodies) {
+    const double share =
+        std::visit([](const auto& m) { return m.elastic.youngs_modulus > 0.0 ? m.elastic.mu() / m.elastic.youngs_modulus : 0.0; },
+                   body.material);
+    options.hourglass_factors.push_back(shear.alpha(c.general.dimension, share) / options.hourglass->alpha);
+  }
+}
+
 }  // namespace
 
 TotalLagrangianOptions total_lagrangian_options(const Case& c) {
@@ -25,8 +36,10 @@ TotalLagrangianOptions total_lagrangian_options(const Case& c) {
       if (hourglass->alpha > 0.0) options.hourglass = *hourglass;
     } else if (const auto* jst = std::get_if<JstDissipation>(&s)) {
       if (jst->eta2 > 0.0 || jst->eta4 > 0.0) options.jst = *jst;
-    } else {
-      options.viscosity = std::get<ArtificialViscosity>(s);
+    } else if (const auto* viscosity = std::get_if<ArtificialViscosity>(&s)) {
+      options.viscosity = *viscosity;
+    } else if (const auto* shear = std::get_if<NonNestedShear>(&s)) {
+      use_shear_as_hourglass(*shear, c, options);
     }
   for (const BodyCase& body : c.bodies) {
     options.materials.push_back(body.material);
@@ -41,6 +54,26 @@ TotalLagrangianOptions total_lagrangian_options(const Case& c) {
   if (c.formulation.momentum == name_of(MomentumForm::symmetric)) options.momentum = MomentumForm::symmetric;
   options.stages = c.solver.integrator == RungeKutta3::name;
   if (c.general.dimension == 3) options.plane_stress = false, options.thickness = 1.0;
+  return options;
+}
+
+UpdatedLagrangianOptions updated_lagrangian_options(const Case& c, double spacing) {
+  UpdatedLagrangianOptions options{.kernel = c.formulation.kernel, .materials = {}};
+  options.spacing = spacing;
+  options.radius = *c.formulation.support * spacing;
+  options.corrected = std::holds_alternative<GradientCorrection>(c.formulation.correction);
+  options.thickness = c.general.dimension == 3 ? 1.0 : c.general.thickness;
+  for (const AnyStabilization& s : c.formulation.stabilizations) {
+    if (const auto* viscosity = std::get_if<ArtificialViscosity>(&s)) options.viscosity = *viscosity;
+    if (const auto* pressure = std::get_if<ArtificialPressure>(&s); pressure && pressure->gamma > 0.0)
+      options.pressure = *pressure;
+    if (const auto* stress = std::get_if<ArtificialStress>(&s); stress && stress->epsilon > 0.0) options.stress = *stress;
+    if (const auto* shear = std::get_if<NonNestedShear>(&s)) options.shear = *shear;
+  }
+  for (const BodyCase& body : c.bodies) {
+    options.materials.push_back(body.material);
+    options.damages.push_back(body.damage);
+  }
   return options;
 }
 

@@ -33,7 +33,7 @@ const Totals& SolidSimulation<D>::totals() {
 
 template <int D>
 const StoredEnergy& SolidSimulation<D>::stored_energy() {
-  if (stored_step_ != steps_) stored_ = solid_.stored_energy();
+  if (stored_step_ != steps_) stored_ = solid_->stored_energy();
   stored_step_ = steps_;
   return stored_;
 }
@@ -42,7 +42,7 @@ template <int D>
 RecordedState& SolidSimulation<D>::room_for_record() {
   if (!record_) {
     record_ = std::make_unique<RecordedState>(particles_.slots);
-    if (solid_.history().width() > 0) record_->inelastic = VectorField<4>(particles_.slots);
+    if (solid_->history().width() > 0) record_->inelastic = VectorField<4>(particles_.slots);
   }
   if (wants_hourglass_error_ && record_->hourglass_error.size() != static_cast<std::size_t>(particles_.slots)) {
     record_->hourglass_error = AlignedArray<double>(particles_.slots);
@@ -54,7 +54,7 @@ RecordedState& SolidSimulation<D>::room_for_record() {
 template <int D>
 const RecordedState& SolidSimulation<D>::record() {
   RecordedState& state = room_for_record();
-  if (recorded_step_ != steps_) solid_.record(particles_, state);
+  if (recorded_step_ != steps_) solid_->record(particles_, state);
   recorded_step_ = steps_;
   return state;
 }
@@ -62,7 +62,8 @@ const RecordedState& SolidSimulation<D>::record() {
 template <int D>
 std::vector<double> SolidSimulation<D>::probe_values() {
   const RecordedState* state = probes_.need_record() ? &record() : nullptr;
-  return probes_.values({comm_, particles_, solid_, motion_, contacts_, state, energies(), momenta(), time_, stable_time_step()});
+  return probes_.values(
+      {comm_, particles_, *solid_, motion_, contacts_, state, energies(), momenta(), time_, stable_time_step()});
 }
 
 #define SINEW_INSTANTIATE(D)                                        \

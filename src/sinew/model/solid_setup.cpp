@@ -1,5 +1,12 @@
+#include <sinew/formulations/total_lagrangian.hpp>
+#include <sinew/formulations/updated_lagrangian.hpp>
+#include <sinew/model/solid_options.hpp>
 #include <sinew/model/solid_setup.hpp>
 #include <sinew/parallel/decomposition.hpp>
+
+#include <fmt/format.h>
+
+#include <cmath>
 
 namespace sinew {
 
@@ -48,11 +55,38 @@ std::vector<int> owners_of_blocks(const Case& c, const Arrangement<D>& all, cons
   return owner;
 }
 
+bool is_updated(const Case& c) { return c.formulation.model == UpdatedLagrangianOptions::name; }
+
+/// On the current configuration all particles have one kernel radius, and so one spacing.
+void check_spacings(const Case& c, const std::vector<GeneratedBody>& bodies) {
+  if (!is_updated(c)) return;
+  for (std::size_t b = 1; b < bodies.size(); ++b)
+    if (std::abs(bodies[b].spacing - bodies[0].spacing) > 0.01 * bodies[0].spacing)
+      throw CaseError(
+          c.bodies[b].place,
+          fmt::format("body \"{}\" has the particle spacing {:.4g}, body \"{}\" has {:.4g}; with \"updated_lagrangian\" all "
+                      "bodies need the same",
+                      c.bodies[b].name, bodies[b].spacing, c.bodies[0].name, bodies[0].spacing));
+}
+
+template <int D>
+SolidSetup<D> complete(const Case& c, SolidSetup<D> setup, BlockPairs<D> pairs, const Comm& comm, Halo halo) {
+  if (is_updated(c))
+    setup.solid = std::make_unique<UpdatedLagrangian<D>>(setup.particles, std::move(pairs),
+                                                         updated_lagrangian_options(c, setup.particles.bodies.front().spacing),
+                                                         comm, std::move(halo));
+  else
+    setup.solid = std::make_unique<TotalLagrangian<D>>(setup.particles, std::move(pairs), setup.support_radius,
+                                                       total_lagrangian_options(c), comm, std::move(halo));
+  return setup;
+}
+
 template <int D>
 SolidSetup<D> set_up_alone(const Case& c, Arrangement<D> all, Regions regions, bool lattice) {
   std::vector<double> radius = support_radii(c, all, all.block_numbers());
   BlockPairs<D> pairs = make_block_pairs(all, build_pair_list(all, radius), radius, lattice);
-  return {Particles<D>(std::move(all), thickness_of(c)), std::move(regions), std::move(pairs), std::move(radius), Halo()};
+  return complete<D>(c, {Particles<D>(std::move(all), thickness_of(c)), std::move(regions), std::move(radius), nullptr},
+                     std::move(pairs), Comm(), Halo());
 }
 
 template <int D>
@@ -73,27 +107,28 @@ SolidSetup<D> set_up_share(const Case& c, const Arrangement<D>& all, Regions reg
   for (int slot = 0; slot < all.slots; ++slot)
     if (radius[slot] > 0.0) own_radius[share.local_of[slot]] = radius[slot];
   own_radius.resize(share.slots + share.copied(), 0.0);
-  return {Particles<D>(part_of(all, share), thickness_of(c), share.copied()), std::move(regions), std::move(pairs),
-          std::move(own_radius), std::move(halo)};
+  return complete<D>(
+      c, {Particles<D>(part_of(all, share), thickness_of(c), share.copied()), std::move(regions), std::move(own_radius), nullptr},
+      std::move(pairs), comm, std::move(halo));
 }
 
 }  // namespace
 
 template <int D>
-SolidSetup<D> set_up(const Case& c, const std::vector<GeneratedBody>& bodies, const TotalLagrangianOptions& options,
-                     const Comm& comm) {
+SolidSetup<D> set_up(const Case& c, const std::vector<GeneratedBody>& bodies, const Comm& comm) {
   Arrangement<D> all;
   Regions regions;
   comm.together([&] {
+    check_spacings(c, bodies);
     all = arrangement_of<D>(c, bodies);
     regions = select_regions(c, bodies, all);
   });
-  const bool lattice = may_use_lattice(options);
+  const bool lattice = !is_updated(c) && may_use_lattice(total_lagrangian_options(c));
   if (comm.alone()) return set_up_alone(c, std::move(all), std::move(regions), lattice);
   return set_up_share(c, all, std::move(regions), lattice, comm);
 }
 
-template SolidSetup<2> set_up<2>(const Case&, const std::vector<GeneratedBody>&, const TotalLagrangianOptions&, const Comm&);
-template SolidSetup<3> set_up<3>(const Case&, const std::vector<GeneratedBody>&, const TotalLagrangianOptions&, const Comm&);
+template SolidSetup<2> set_up<2>(const Case&, const std::vector<GeneratedBody>&, const Comm&);
+template SolidSetup<3> set_up<3>(const Case&, const std::vector<GeneratedBody>&, const Comm&);
 
 }  // namespace sinew

@@ -1,4 +1,3 @@
-#include <sinew/model/solid_options.hpp>
 #include <sinew/model/solid_simulation.hpp>
 
 #include <fmt/format.h>
@@ -28,7 +27,7 @@ SolidSimulation<D>::SolidSimulation(const Case& c, const Comm& comm)
 template <int D>
 SolidSimulation<D>::SolidSimulation(const Case& c, const Comm& comm, const std::vector<GeneratedBody>& bodies,
                                     const Stopwatch& watch)
-    : SolidSimulation(c, comm, bodies, set_up<D>(c, bodies, total_lagrangian_options(c), comm), watch) {}
+    : SolidSimulation(c, comm, bodies, set_up<D>(c, bodies, comm), watch) {}
 
 template <int D>
 SolidSimulation<D>::SolidSimulation(const Case& c, const Comm& comm, const std::vector<GeneratedBody>& bodies,
@@ -37,14 +36,14 @@ SolidSimulation<D>::SolidSimulation(const Case& c, const Comm& comm, const std::
       comm_(comm),
       particles_(std::move(setup.particles)),
       regions_(std::move(setup.regions)),
-      solid_(particles_, std::move(setup.pairs), setup.support_radius, total_lagrangian_options(c), comm, std::move(setup.halo)),
+      solid_(std::move(setup.solid)),
       forces_(particles_.slots),
       motion_(make_prescribed_motion(c, regions_, particles_, comm, facts_.warnings)),
-      loads_(make_loads(c, regions_, particles_, solid_, comm, facts_.warnings)),
+      loads_(make_loads(c, regions_, particles_, *solid_, comm, facts_.warnings)),
       contacts_(make_contacts(c, particles_, setup.support_radius, comm)),
       gravity_(constant_body_force<D>(c)),
       probes_(c, regions_),
-      step_size_{c.solver.cfl, solid_.hourglass_time_step(), borne_damping(c) / solid_.dissipation_rate(),
+      step_size_{c.solver.cfl, solid_->hourglass_time_step(), borne_damping(c) / solid_->dissipation_rate(),
                  c.solver.time_step.value_or(0.0)},
       order_(comm, particles_.user_index),
       dissipated_(particles_.blocks.size(), 0.0),
@@ -62,13 +61,13 @@ template <int D>
 void SolidSimulation<D>::start() {
   motion_.remember(particles_);
   guard([&] { motion_.move(particles_, 0.0, 0.0); });
-  solid_.begin_gradients(particles_);
+  solid_->begin(particles_);
   update_forces(0.0);
   check_initial_contacts(case_, contacts_, particles_, comm_);
   first_time_step_ = stable_time_step();
   check_initial_state();
   comm_.together([&] { motion_.begin(particles_, first_time_step_, case_.solver.damping); });
-  if (!solid_.matrices().rate.empty()) find_first_rates();
+  if (solid_->needs_first_rates()) find_first_rates();
   count_dissipation(0.0);
   initial_energy_ = energies().total() + energies().dissipated;
   initial_gravity_work_ = totals().gravity_work;
@@ -77,7 +76,7 @@ void SolidSimulation<D>::start() {
 /// Of gradients that are integrated in time, now that prescribed particles have their velocities.
 template <int D>
 void SolidSimulation<D>::find_first_rates() {
-  solid_.internal_forces(particles_, forces_, {0.0, HistoryUse::respond}, [](int, int) {});
+  solid_->internal_forces(particles_, forces_, {0.0, HistoryUse::respond}, [](int, int) {});
   forces_.clear();
 }
 
@@ -120,11 +119,11 @@ template <int D>
 void SolidSimulation<D>::advance_in_stages(double dt) {
   const double damping = case_.solver.damping;
   stages_->begin(particles_);
-  solid_.matrices().remember();
+  solid_->begin_stages();
   for (const RungeKutta3::Stage& stage : RungeKutta3::stage) {
     const double when = time_ + stage.when * dt;
     stages_->advance(particles_, stage, dt, damping);
-    solid_.matrices().advance(stage.begin, stage.rest, dt);
+    solid_->advance_stage(stage.begin, stage.rest, dt);
     timer_.mark("drift");
     guard([&] { motion_.impose(particles_, when, dt); });
     timer_.mark("boundary");
@@ -139,9 +138,9 @@ void SolidSimulation<D>::advance_in_stages(double dt) {
 /// Adds the internal forces to those that are there, and kicks.
 template <int D>
 ForceSummary SolidSimulation<D>::internal_forces(PointStep step, const AccelerateAndKick<D>& kick, RecordedState* recorded) {
-  if (!projection_) return solid_.internal_forces(particles_, forces_, step, kick, recorded);
+  if (!projection_) return solid_->internal_forces(particles_, forces_, step, kick, recorded);
   projection_->begin(comm_, particles_, forces_);
-  const ForceSummary summary = solid_.internal_forces(
+  const ForceSummary summary = solid_->internal_forces(
       particles_, forces_, step, [](int, int) {}, recorded);
   projection_->project(comm_, particles_, forces_);
   for_each_piece(particles_.slots, kick);
@@ -159,7 +158,7 @@ void SolidSimulation<D>::update_forces(double dt) {
   summary_ = internal_forces({dt, HistoryUse::advance}, kick, recorded);
   if (recorded) recorded_step_ = steps_;
   timer_.mark("forces and kick");
-  if (solid_.options().separates() && solid_.separate(particles_)) mind_cracks();
+  if (solid_->separates() && solid_->separate(particles_)) mind_cracks();
   timer_.mark("separation");
   guard([&] { motion_.hold(particles_, time_, dt, case_.solver.damping); });
   if (time_ > 0.0) count_dissipation(dt);
@@ -171,8 +170,8 @@ void SolidSimulation<D>::update_forces(double dt) {
 /// What depends on who sees whom.
 template <int D>
 void SolidSimulation<D>::mind_cracks() {
-  contacts_.pairs().mind(solid_.cracks());
-  step_size_.hourglass_limit = solid_.hourglass_time_step();
+  contacts_.pairs().mind(solid_->cracks());
+  step_size_.hourglass_limit = solid_->hourglass_time_step();
   recorded_step_ = -1;
 }
 
@@ -219,7 +218,7 @@ void SolidSimulation<D>::count_dissipation(double dt) {
   const double damping = case_.solver.damping;
   if (damping > 0.0) kinetic_energies(particles_, kinetic_);
   for (std::size_t b = 0; b < dissipated_.size(); ++b) {
-    const ForceSummary& block = solid_.block_summaries()[b];
+    const ForceSummary& block = solid_->block_summaries()[b];
     const double rate = block.viscous_power + (damping > 0.0 ? 2.0 * damping * kinetic_[b] : 0.0);
     dissipated_[b] += block.released + 0.5 * dt * (dissipation_rate_[b] + rate);
     dissipation_rate_[b] = rate;
@@ -231,8 +230,8 @@ template <int D>
 std::map<std::string, double> SolidSimulation<D>::pass_seconds() const {
   std::map<std::string, double> seconds(timer_.seconds().begin(), timer_.seconds().end());
   if (!comm_.alone())
-    seconds["waiting for other ranks"] = solid_.halo().displacements.seconds_waited() + solid_.halo().matrices.seconds_waited() +
-                                         solid_.halo().forces.seconds_waited();
+    seconds["waiting for other ranks"] = solid_->halo().displacements.seconds_waited() +
+                                         solid_->halo().matrices.seconds_waited() + solid_->halo().forces.seconds_waited();
   return seconds;
 }
 

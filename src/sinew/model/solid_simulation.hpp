@@ -48,7 +48,7 @@ class SolidSimulation final : public Simulation {
   std::string state_hash() const override;
   SavedState save() override;
   void restore(const SavedState& state) override;
-  RanksPlan plan(int ranks) const override { return plan_for(solid_.pairs(), ranks); }
+  RanksPlan plan(int ranks) const override { return plan_for(solid_->pairs(), ranks); }
   std::map<std::string, double> pass_seconds() const override;
 
  private:
@@ -87,7 +87,7 @@ class SolidSimulation final : public Simulation {
   ModelFacts facts_;
   Particles<D> particles_;
   Regions regions_;
-  TotalLagrangian<D> solid_;
+  std::unique_ptr<Formulation<D>> solid_;
   VectorField<D> forces_;
   PrescribedMotion<D> motion_;
   Loads<D> loads_;

@@ -85,7 +85,7 @@ void SolidSimulation<D>::fill_snapshot(const std::vector<std::string>& fields, S
   }
   if (std::find(fields.begin(), fields.end(), "hourglass_error") != fields.end()) wants_hourglass_error_ = true;
   const bool recorded = std::any_of(fields.begin(), fields.end(), [](const std::string& name) { return needs_record(name); });
-  fill(outputs, {particles_, solid_, recorded ? &record() : nullptr, &contacts_.forces()}, slots, order_.numbers());
+  fill(outputs, {particles_, *solid_, recorded ? &record() : nullptr, &contacts_.forces()}, slots, order_.numbers());
   if (comm_.alone()) return;
   std::vector<double> position;
   for (const Point& x : s.position) position.insert(position.end(), x.c, x.c + 3);

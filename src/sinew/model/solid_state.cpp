@@ -89,18 +89,6 @@ double value_of(const std::vector<double>& rows, int condition, int particle) {
   return found ? rows[3 * begin + 2] : 0.0;
 }
 
-/// What a failed run may try about its zero-energy modes.
-std::string hourglass_advice(const TotalLagrangianOptions& options) {
-  const std::optional<HourglassStiffness>& hourglass = options.hourglass;
-  if (options.momentum == MomentumForm::symmetric)
-    return "momentum = \"symmetric\", which can feed motion (try \"bond_variational\", or particles on_faces)";
-  if (!hourglass && options.jst) return "zero-energy modes (try larger coefficients of jst, or hourglass_stiffness)";
-  if (!hourglass) return "zero-energy modes, which nothing controls (try stabilization = [{ model = \"hourglass_stiffness\" }])";
-  if (!hourglass->conservative())
-    return "the central hourglass force, which can feed motion (try normalization = \"conservative\")";
-  return "zero-energy modes (try a larger alpha of hourglass_stiffness)";
-}
-
 }  // namespace
 
 /// For each particle a hash of its number and of the bits of x and v; their sum does not depend on an order.
@@ -133,34 +121,34 @@ SavedState SolidSimulation<D>::save() {
   s.fields["reference_position"] = in_users_order(particles_.position, order_);
   s.fields["velocity"] = in_users_order(particles_.velocity, order_);
   s.fields["acceleration"] = in_users_order(particles_.acceleration, order_);
-  if (!solid_.matrices().rate.empty()) {
-    s.fields["integrated_gradient"] = in_users_order(solid_.matrices().gradient, order_);
-    s.fields["gradient_rate"] = in_users_order(solid_.matrices().rate, order_);
-  }
-  if (solid_.history().width() > 0) s.fields["history"] = in_users_order(solid_.history(), particles_, order_);
+  const FieldsToSave<D> fields = solid_->fields_to_save();
+  for (const auto& [name, value] : fields.numbers) s.numbers[name] = *value;
+  for (const auto& [name, field] : fields.vectors) s.fields[name] = in_users_order(*field, order_);
+  for (const auto& [name, field] : fields.matrices) s.fields[name] = in_users_order(*field, order_);
+  if (solid_->history().width() > 0) s.fields["history"] = in_users_order(solid_->history(), particles_, order_);
   std::vector<double> of_blocks, reactions;
   for (std::size_t b = 0; b < particles_.blocks.size(); ++b)
     of_blocks.insert(of_blocks.end(), {motion_.work()[b], loads_.work()[b], dissipated_[b], dissipation_rate_[b]});
   save_contacts(s);
   if (contacts_.any()) s.fields["contact_force"] = in_users_order(contacts_.forces(), order_);
-  if (!solid_.cracks().empty()) {
-    s.arrays["most_stiffness"] = solid_.most_stiffness();
-    for (const auto& failed : solid_.cracks().all())
+  if (!solid_->cracks().empty()) {
+    s.arrays["most_stiffness"] = solid_->most_stiffness();
+    for (const auto& failed : solid_->cracks().all())
       s.arrays["failed"].insert(s.arrays["failed"].end(), {static_cast<double>(failed.number), failed.radius});
   }
   s.arrays["blocks"] = gather_over_blocks(comm_, particles_.block_numbers(), of_blocks, 4);
   for (const auto& r : motion_.reactions())
     reactions.insert(reactions.end(), {double(r.condition), double(particles_.user_index[r.slot]), r.value});
   s.arrays["reactions"] = sorted_rows(comm_.gather_all(reactions));
-  s.numbers = {{"initial_energy", initial_energy_},
-               {"initial_gravity_work", initial_gravity_work_},
-               {"first_time_step", first_time_step_},
-               {"strain_energy", stored_energy().strain},
-               {"hourglass_energy", stored_energy().hourglass},
-               {"plastic_work", stored_energy().plastic_work},
-               {"damage_work", stored_energy().damage_work},
-               {"smallest_jacobian", summary_.smallest_jacobian},
-               {"largest_rate2", summary_.largest_rate2}};
+  s.numbers.insert({{"initial_energy", initial_energy_},
+                    {"initial_gravity_work", initial_gravity_work_},
+                    {"first_time_step", first_time_step_},
+                    {"strain_energy", stored_energy().strain},
+                    {"hourglass_energy", stored_energy().hourglass},
+                    {"plastic_work", stored_energy().plastic_work},
+                    {"damage_work", stored_energy().damage_work},
+                    {"smallest_jacobian", summary_.smallest_jacobian},
+                    {"largest_rate2", summary_.largest_rate2}});
   return s;
 }
 
@@ -177,15 +165,16 @@ void SolidSimulation<D>::restore(const SavedState& s) {
   from_users_order(s.fields.at("displacement"), order_, particles_.displacement);
   from_users_order(s.fields.at("velocity"), order_, particles_.velocity);
   from_users_order(s.fields.at("acceleration"), order_, particles_.acceleration);
-  if (!solid_.matrices().rate.empty()) {
-    from_users_order(s.fields.at("integrated_gradient"), order_, solid_.matrices().gradient);
-    from_users_order(s.fields.at("gradient_rate"), order_, solid_.matrices().rate);
-  }
-  if (solid_.history().width() > 0) from_users_order(s.fields.at("history"), particles_, order_, solid_.history());
+  const FieldsToSave<D> fields = solid_->fields_to_save();
+  for (const auto& [name, value] : fields.numbers) *value = s.numbers.at(name);
+  for (const auto& [name, field] : fields.vectors) from_users_order(s.fields.at(name), order_, *field);
+  for (const auto& [name, field] : fields.matrices) from_users_order(s.fields.at(name), order_, *field);
+  if (solid_->history().width() > 0) from_users_order(s.fields.at("history"), particles_, order_, solid_->history());
   if (const auto failed = s.arrays.find("failed"); failed != s.arrays.end()) {
-    solid_.restore_cracks(particles_, failed->second, s.arrays.at("most_stiffness"));
+    solid_->restore_cracks(particles_, failed->second, s.arrays.at("most_stiffness"));
     mind_cracks();
   }
+  solid_->restored(particles_);
   time_ = s.time;
   steps_ = s.step;
   const std::vector<double>&of_blocks = s.arrays.at("blocks"), &reactions = s.arrays.at("reactions");
@@ -230,7 +219,7 @@ WorstParticle SolidSimulation<D>::worst_particle() {
   const RecordedState& state = record();
   const std::vector<int>& slots = order_.slots();
   std::vector<double> jacobian(slots.size());
-  particle_quantity<D>("jacobian").values({particles_, solid_, &state}, slots, {}, jacobian.data());
+  particle_quantity<D>("jacobian").values({particles_, *solid_, &state}, slots, {}, jacobian.data());
   WorstParticle worst;
   for (std::size_t k = 0; k < slots.size(); ++k) {
     const bool finite = std::isfinite(jacobian[k]) && std::isfinite(state.energy_density[slots[k]]);
@@ -256,7 +245,7 @@ void SolidSimulation<D>::fail(const std::string& cause) {
         "{:.3g}). Likely causes: a load "
         "or velocity that the particles cannot resolve, too large a time step (try [solver] cfl = {:.2g}), or {}.",
         time_, case_.general.units.name_of("s"), steps_, worst.number, body.name, x[0], x[1], x[2], cause, worst.jacobian,
-        0.5 * case_.solver.cfl, hourglass_advice(solid_.options()));
+        0.5 * case_.solver.cfl, solid_->advice());
   }
   comm_.together([&] {
     if (here) throw SimulationError(text);

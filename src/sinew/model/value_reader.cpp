@@ -66,7 +66,8 @@ double convert(const Quantity& quantity, const Node& node, const FieldSpec& spec
                   ". Known units: m, kg, g, t, s, min, h, N, Pa, bar, psi, J, W, Hz, in, ft, lb, rad, deg, %, with the prefixes "
                   "n, u, m, c, k, M, G, and products such as kg/m^3");
   }
-  const double converted = quantity.value * unit->factor / reading.units.factor(unit->dimensions);
+  double converted = quantity.value * unit->factor / reading.units.factor(unit->dimensions);
+  if (spec.unit == "deg") converted /= parse_unit("deg")->factor;  // angles of plain numbers are in degrees
   if (spec.unit == any_unit) return converted;
   if (unit->dimensions != parse_unit(spec.unit).value().dimensions)
     spec.fail(node.place, given + (spec.unit == "1" ? "expected a number without a unit"

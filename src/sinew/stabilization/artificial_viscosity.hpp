@@ -20,6 +20,7 @@ struct ArtificialViscosity {
   static constexpr std::string_view name = "artificial_viscosity";
   static constexpr std::string_view summary = "Monaghan's viscosity against shocks and ringing";
   static constexpr std::string_view source = "Monaghan & Gingold (1983); Islam & Peng (2019), eq. 22-23, 31";
+  static constexpr bool in_reference = true, in_current = true;  ///< configurations for which it is made
 
   double alpha = 2.5, beta = 2.5;
 
@@ -34,13 +35,13 @@ struct ArtificialViscosity {
     return min(h * dot(v, x) / (dot(x, x) + T(0.01) * h * h + T(1e-200)), T(0.0));  // 0 for x = h = 0
   }
   /// rho pi [(length/time)^2].
-  template <class T>
-  SINEW_INLINE T strength(const T& mu, double sound_speed) const {
+  template <class T, class Speed>
+  SINEW_INLINE T strength(const T& mu, const Speed& sound_speed) const {
     return mu * (T(beta) * mu - T(alpha * sound_speed));
   }
   /// How fast the force of a pair takes the motion along it away, over |H w X|: derivative of strength by v.x / |x| [1/time times length].
-  template <class T, int D>
-  SINEW_INLINE T resistance(const Vec<T, D>& x, const T& mu, const T& h, double sound_speed) const {
+  template <class T, int D, class Speed>
+  SINEW_INLINE T resistance(const Vec<T, D>& x, const T& mu, const T& h, const Speed& sound_speed) const {
     using std::sqrt;
     const T square = dot(x, x);
     return (T(alpha * sound_speed) - T(2.0 * beta) * mu) * h * sqrt(square) / (square + T(0.01) * h * h + T(1e-200));

@@ -23,7 +23,8 @@ struct HourglassStiffness {
   static constexpr std::string_view summary = "Stiffness against zero-energy modes";
   static constexpr std::string_view source =
       "Ganzenmueller (2015), eq. 25-32; Islam & Peng (2019), eq. 42-47; Ren et al. (2020), eq. 21-27";
-  static constexpr bool pairwise_linear = true;  ///< each pair force is a share of i plus a share of j
+  static constexpr bool in_reference = true, in_current = false;  ///< configurations for which it is made
+  static constexpr bool pairwise_linear = true;                   ///< each pair force is a share of i plus a share of j
 
   double alpha = 50.0;
   Choice normalization{"conservative", {"conservative", "half", "printed"}};

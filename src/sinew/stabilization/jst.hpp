@@ -24,6 +24,7 @@ struct JstDissipation {
   static constexpr std::string_view name = "jst";
   static constexpr std::string_view summary = "Jameson-Schmidt-Turkel dissipation: harmonic and biharmonic damping of velocities";
   static constexpr std::string_view source = "Wiragunarsa et al. (2024), eq. 25-28; Brookshaw (1985)";
+  static constexpr bool in_reference = true, in_current = false;  ///< configurations for which it is made
 
   double eta2 = 0.0, eta4 = 1.0 / 64.0;
   Choice laplacian{"corrected", {"corrected", "plain"}};

@@ -5,7 +5,7 @@
 
 #include <cmath>
 #include <sinew/contact/contact_sums.hpp>
-#include <sinew/formulations/total_lagrangian.hpp>
+#include <sinew/formulations/formulation.hpp>
 #include <string_view>
 
 namespace sinew {

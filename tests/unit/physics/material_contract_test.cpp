@@ -113,9 +113,9 @@ TYPED_TEST(MaterialContract, SaysWhatItIs) {
 }
 
 TEST(Materials, NamesAreTheAgreedOnes) {
-  EXPECT_EQ(Materials::names(),
-            (std::vector<std::string>{"linear_elastic", "st_venant_kirchhoff", "neo_hookean", "neo_hookean_isochoric",
-                                      "j2_plastic", "j2_voce", "johnson_cook", "rigid"}));
+  EXPECT_EQ(Materials::names(), (std::vector<std::string>{"linear_elastic", "st_venant_kirchhoff", "neo_hookean",
+                                                          "neo_hookean_isochoric", "j2_plastic", "j2_voce", "johnson_cook",
+                                                          "hypoelastic", "drucker_prager", "mu_i_rheology", "rigid"}));
 }
 
 }  // namespace
