@@ -55,6 +55,10 @@ __global__ void hourglass_shares(double* out, Mat<double, D> F, Vec<double, D> X
     const auto conservative = Stabilization::conservative_share(F, X, x, 1.0);
     const auto central = Stabilization::central_share(F, X, x, 1.0);
     keep(out, dot(conservative.force, x), conservative.energy, dot(central.force, x), central.energy);
+  } else if constexpr (requires(Stabilization s) { s.repulsion(F, 1.0, 1.0); }) {
+    keep(out, trace(Stabilization{}.repulsion(F, 1.0, 1.0)));
+  } else if constexpr (requires { Stabilization::pull(x, X, 1.0, 1.0); }) {
+    keep(out, dot(Stabilization::pull(x, X, 1.0, 1.0), x));
   } else {
     const Stabilization s;
     const double mu = Stabilization::approach(x, X, 1.0);

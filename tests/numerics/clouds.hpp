@@ -76,6 +76,8 @@ Material material_with(double density, double youngs_modulus, double poissons_ra
   m.elastic.poissons_ratio = poissons_ratio;
   m.elastic.complete();
   if constexpr (requires { m.hardening; }) m.hardening.yield_stress = 0.05 * youngs_modulus;
+  if constexpr (requires { m.law.friction_angle; }) m.law.friction_angle = 30.0, m.law.cohesion = 0.05 * youngs_modulus;
+  if constexpr (requires { m.law.grain_diameter; }) m.law = {0.4, 0.7, 0.3, 1e-3, 2.0 * density};
   return m;
 }
 

@@ -30,8 +30,8 @@ void bring_copies(Exchange& exchange, VectorField<width>& field) {
 template <int D>
 template <class Work>
 void UpdatedLagrangian<D>::of_all_blocks(Work&& work) {
-  const int count = pairs_.blocks.count();
-#pragma omp parallel for schedule(dynamic, 1) if (count > 1)
+  const int count = pairs_.blocks.count(), slots = static_cast<int>(radius_.size());
+#pragma omp parallel for schedule(dynamic, 1) if (count > 1 && slots >= fewest_for_threads)
   for (int b = 0; b < count; ++b) work(b);
 }
 

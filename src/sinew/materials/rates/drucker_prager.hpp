@@ -32,16 +32,17 @@ struct DruckerPrager {
   }
 
   /// k of an angle in degrees.
-  static double slope(double degrees) {
+  static SINEW_INLINE double slope(double degrees) {
     const double tangent = std::tan(degrees * std::numbers::pi / 180.0);
     return 3.0 * tangent / std::sqrt(9.0 + 12.0 * tangent * tangent);
   }
-  double strength() const {  ///< k_c [Pa]
+  /// k_c [Pa].
+  SINEW_INLINE double strength() const {
     const double tangent = std::tan(friction_angle * std::numbers::pi / 180.0);
     return 3.0 * cohesion / std::sqrt(9.0 + 12.0 * tangent * tangent);
   }
   /// The least pressure, at most 0.
-  double least_pressure() const {
+  SINEW_INLINE double least_pressure() const {
     const double k_phi = slope(friction_angle), tip = k_phi > 0.0 ? strength() / k_phi : 0.0;
     if (std::isnan(tensile_strength)) return -tip;
     return k_phi > 0.0 ? -std::fmin(tensile_strength, tip) : -tensile_strength;
