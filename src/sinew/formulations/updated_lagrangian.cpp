@@ -60,7 +60,7 @@ void UpdatedLagrangian<D>::begin(Particles<D>& particles) {
         S += outer(particles.displacement[j] - particles.displacement[slot], weight * X);
         M += outer(X, weight * X);
       }
-      const bool enough = determinant(M) > 0.1;
+      const bool enough = determinant(M) > 0.02 * std::pow(trace(M) / D, D);  // as in the sweeps, see correction_of
       const Mat<double, D> G = enough ? S * inverse(M) : Mat<double, D>{};
       for (int c = 0; c < D * D; ++c) deformation_.at(c, slot) = G[c / D][c % D];
     }
