@@ -54,6 +54,19 @@ TEST(Allocation, NorDoesOneOfTheExtendedMethods) {
   }
 }
 
+/// On the current configuration, while lists are made anew.
+TEST(Allocation, NorDoesOneThatFindsNeighbors) {
+  const auto simulation = simulation_of(
+      free_block(3,
+                 "cfl = 0.9\n[formulation]\nmodel = \"updated_lagrangian\"\nstabilization = [{ model = \"non_nested_shear\" }, { "
+                 "model = \"artificial_viscosity\" }, { model = \"artificial_stress\" }]\n[[boundary]]\nregion = \"block\"\n"
+                 "velocity = [40, 0, 0]\n"));
+  run_steps(*simulation, 12);
+  const long before = allocations;
+  run_steps(*simulation, 20);
+  EXPECT_EQ(allocations - before, 0);
+}
+
 /// Bodies at rest that touch, on a wall, of metal with damage, with viscosity: no list is made anew, and nothing else allocates.
 TEST(Allocation, NorDoesOneWithContact) {
   const auto simulation = simulation_of(

@@ -27,14 +27,18 @@ UpdatedLagrangian<D>::UpdatedLagrangian(const Particles<D>& particles, BlockPair
   if (options_.shear) modulus_ = left_ = AlignedArray<double>(particles.slots);
   if (options_.viscosity) viscous_power_ = viscous_rate_ = AlignedArray<double>(particles.slots);
   if (options_.repels()) repulsive_power_ = AlignedArray<double>(particles.slots);
-  make_room(particles.slots);
+  make_room(particles, particles.slots);
 }
 
-/// Of the fields by point.
+/// Of the fields by point, with what never changes of the own ones.
 template <int D>
-void UpdatedLagrangian<D>::make_room(std::size_t points) {
+void UpdatedLagrangian<D>::make_room(const Particles<D>& particles, int points) {
+  points_ = points;
   numbers_.resize(points);
+  std::copy_n(particles.user_index.data(), particles.slots, numbers_.begin());
   mass_ = AlignedArray<double>(points);
+  for (int slot = 0; slot < particles.slots; ++slot) mass_[slot] = particles.mass[slot] / thickness_;
+  places_ = VectorField<D>(points);
   motion_ = VectorField<2 * D + 1>(points);
   stress_ = VectorField<D * D + 1>(points);
   if (options_.repels()) repulsion_ = VectorField<D*(D + 1) / 2>(points);
@@ -139,49 +143,68 @@ void UpdatedLagrangian<D>::find_neighbors(const Particles<D>& particles) {
   make_list(particles, listed_at_);
 }
 
-/// At these displacements.
+/// Where the own particles are at these displacements.
 template <int D>
-void UpdatedLagrangian<D>::make_list(const Particles<D>& particles, const VectorField<D>& displacement) {
-  VectorField<D> positions(particles.slots);
+void UpdatedLagrangian<D>::place_own(const Particles<D>& particles, const VectorField<D>& displacement) {
   for_each_piece(particles.slots, [&](int begin, int end) {
     for (int c = 0; c < D; ++c)
-      for (int slot = begin; slot < end; ++slot)
-        positions.at(c, slot) = particles.position.at(c, slot) + displacement.at(c, slot);
+      for (int slot = begin; slot < end; ++slot) places_.at(c, slot) = particles.position.at(c, slot) + displacement.at(c, slot);
   });
+}
+
+/// At these displacements. A process alone allocates nothing here but for more neighbors than there have ever been.
+template <int D>
+void UpdatedLagrangian<D>::make_list(const Particles<D>& particles, const VectorField<D>& displacement) {
   const double reach = options_.radius * (1.0 + skin_);
-  const MovingBoxes<D> boxes(comm_, particles, positions);
-  const auto all = static_cast<double>(comm_.sum(long{particles.count}));
-  CopyPlan plan = plan_copies(comm_, boxes.slots_for_ranks(comm_, particles, positions, reach), particles.slots);
-  const int points = particles.slots + plan.copies;
-  if (points != points_) make_room(points);
-  points_ = points;
-  std::copy_n(particles.user_index.data(), particles.slots, numbers_.begin());
-  for (int slot = 0; slot < particles.slots; ++slot) mass_[slot] = particles.mass[slot] / thickness_;
-  VectorField<D> places(points);
-  for (int c = 0; c < D; ++c) std::copy_n(positions.component(c), particles.slots, places.component(c));
-  if (!comm_.alone()) fetch_copies(plan, places);
-  comm_.together(
-      [&] { neighbors_.build(places, numbers_, particles.slots, reach, MovingGrid<D>(reach, boxes.low(), boxes.high(), all)); });
+  place_own(particles, displacement);
+  if (comm_.alone()) {
+    neighbors_.build(places_, numbers_, particles.slots, reach, grid_of(particles, reach));
+  } else {
+    const MovingBoxes<D> boxes(comm_, particles, places_);
+    const auto all = static_cast<double>(comm_.sum(long{particles.count}));
+    const CopyPlan plan = plan_copies(comm_, boxes.slots_for_ranks(comm_, particles, places_, reach), particles.slots);
+    if (particles.slots + plan.copies != points_) {
+      make_room(particles, particles.slots + plan.copies);
+      place_own(particles, displacement);
+    }
+    fetch_copies(plan);
+    comm_.together([&] {
+      neighbors_.build(places_, numbers_, particles.slots, reach, MovingGrid<D>(reach, boxes.low(), boxes.high(), all));
+    });
+  }
   make_rows();
   listed_ = true;
   ++lists_made_;
 }
 
+/// Of a process alone.
+template <int D>
+MovingGrid<D> UpdatedLagrangian<D>::grid_of(const Particles<D>& particles, double reach) const {
+  Vec<double, D> low, high;
+  for (int c = 0; c < D; ++c) low[c] = infinity, high[c] = -infinity;
+  for (int slot = 0; slot < particles.slots; ++slot)
+    for (int c = 0; c < D && numbers_[slot] >= 0; ++c) {
+      low[c] = std::min(low[c], places_.at(c, slot));
+      high[c] = std::max(high[c], places_.at(c, slot));
+    }
+  return MovingGrid<D>(reach, low, high, particles.count);
+}
+
 /// Numbers, masses and positions of the copies; later their motion and stress travel in every step.
 template <int D>
-void UpdatedLagrangian<D>::fetch_copies(const CopyPlan& plan, VectorField<D>& places) {
+void UpdatedLagrangian<D>::fetch_copies(const CopyPlan& plan) {
   constexpr int width = D + 2;
   std::vector<double> rows;
   for (const Parcel& parcel : plan.send)
     for (const Stretch& stretch : parcel.stretches)
       for (int slot = stretch.begin; slot < stretch.begin + stretch.length; ++slot) {
-        for (int c = 0; c < D; ++c) rows.push_back(places.at(c, slot));
+        for (int c = 0; c < D; ++c) rows.push_back(places_.at(c, slot));
         rows.insert(rows.end(), {static_cast<double>(numbers_[slot]), mass_[slot]});
       }
   rows = comm_.exchange_rows(std::move(rows), width, plan.sent, plan.received);
   int point = points_ - plan.copies;
   for (auto row = rows.begin(); row != rows.end(); row += width, ++point) {
-    for (int c = 0; c < D; ++c) places.at(c, point) = row[c];
+    for (int c = 0; c < D; ++c) places_.at(c, point) = row[c];
     numbers_[point] = static_cast<int>(row[D]);
     mass_[point] = row[D + 1];
   }

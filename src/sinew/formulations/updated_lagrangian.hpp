@@ -72,9 +72,11 @@ class UpdatedLagrangian final : public Formulation<D> {
   bool moved_too_far(const Particles<D>& particles);
   void choose_skin();
   void make_list(const Particles<D>& particles, const VectorField<D>& displacement);
-  void fetch_copies(const CopyPlan& plan, VectorField<D>& places);
+  void place_own(const Particles<D>& particles, const VectorField<D>& displacement);
+  MovingGrid<D> grid_of(const Particles<D>& particles, double reach) const;
+  void fetch_copies(const CopyPlan& plan);
   void make_rows();
-  void make_room(std::size_t points);
+  void make_room(const Particles<D>& particles, int points);
   void show_motion(const Particles<D>& particles);
   void find_velocity_gradients(double dt);
   ForceSummary update_block(int block, const Particles<D>& particles, PointStep step, RecordedState* record);
@@ -104,6 +106,7 @@ class UpdatedLagrangian final : public Formulation<D> {
   // by point: slots, then copies
   int points_ = 0;
   std::vector<int> numbers_;
+  VectorField<D> places_;          ///< where points were when neighbors were found
   AlignedArray<double> mass_;      ///< per thickness
   VectorField<2 * D + 1> motion_;  ///< x, v, 1 / rho
   VectorField<D * D + 1> stress_;  ///< T, c

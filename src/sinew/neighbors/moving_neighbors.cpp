@@ -136,9 +136,12 @@ bool MovingNeighbors<D>::find_all(double radius) {
   int longest_of_all = 0;
   const std::size_t entries_at_most = static_cast<std::size_t>(slices) * room_ * lanes;
   if (entry_.size() < entries_at_most) entry_ = AlignedArray<int>(entries_at_most);
+  if (hits_.size() < most_threads()) hits_.resize(most_threads());
+  for (std::vector<int>& hits : hits_)
+    if (hits.size() < point_at_.size() + lanes) hits.resize(point_at_.size() + lanes);
 #pragma omp parallel if (places() >= fewest_for_threads) reduction(+ : pairs) reduction(max : longest_of_all)
   {
-    std::vector<int> hits;
+    std::vector<int>& hits = hits_[this_thread()];
 #pragma omp for schedule(dynamic, 32)
     for (int s = 0; s < slices; ++s) {
       const int* own = own_.data() + static_cast<std::ptrdiff_t>(lanes) * s;
@@ -146,7 +149,6 @@ bool MovingNeighbors<D>::find_all(double radius) {
       int counts[lanes] = {}, longest = 0;
       for (int k = 0; k < lanes; ++k) {
         if (own[k] == nobody) continue;
-        hits.resize(static_cast<std::size_t>(places()) + lanes);
         counts[k] = find(own[k] / lanes, radius2, hits.data());
         longest = std::max(longest, counts[k]);
         pairs += counts[k];

@@ -73,7 +73,8 @@ class MovingNeighbors {
   std::vector<double> coordinate_[D];  ///< by place, with room for eight more
   std::vector<Cell> cell_at_;
   AlignedArray<int> entry_;
-  int room_ = 0;  ///< entries of a slice at most
+  std::vector<std::vector<int>> hits_;  ///< scratch, one a thread
+  int room_ = 0;                        ///< entries of a slice at most
   long pairs_ = 0;
 };
 
