@@ -29,20 +29,7 @@ PairContacts<D>::PairContacts(ContactTable table, const Particles<D>& particles,
 /// Whether two particles may have come to each other unseen: each has moved by half the skin.
 template <int D>
 bool PairContacts<D>::moved_too_far(const Particles<D>& particles) {
-  of_each_block<1>(
-      particles,
-      [&](const BlockRange& block) -> std::array<double, 1> {
-        Pack most(0.0);
-        for_each_eight(block, [&](const EightOfBlock& eight) {
-          const Vec<Pack, D> moved = eight(particles.displacement) - eight(listed_at_);
-          most = max(most, dot(moved, moved));
-        });
-        return {largest(most)};
-      },
-      farthest2_);
-  double most = 0.0;
-  for (const double of_block : farthest2_) most = std::max(most, of_block);
-  return comm_.maximum(most) > 0.25 * skin_ * skin_;
+  return comm_.maximum(farthest_move2(particles, listed_at_, farthest2_)) > 0.25 * skin_ * skin_;
 }
 
 template <int D>

@@ -101,21 +101,8 @@ Vec<double, D> UpdatedLagrangian<D>::toward_neighbors(const Particles<D>& partic
 
 template <int D>
 bool UpdatedLagrangian<D>::moved_too_far(const Particles<D>& particles) {
-  of_each_block<1>(
-      particles,
-      [&](const BlockRange& block) -> std::array<double, 1> {
-        Pack most(0.0);
-        for_each_eight(block, [&](const EightOfBlock& eight) {
-          const Vec<Pack, D> moved = eight(particles.displacement) - eight(listed_at_);
-          most = max(most, dot(moved, moved));
-        });
-        return {largest(most)};
-      },
-      farthest2_);
-  double most = 0.0;
-  for (const double of_block : farthest2_) most = std::max(most, of_block);
   const double skin = skin_ * options_.radius;
-  return comm_.maximum(most) > 0.25 * skin * skin;
+  return comm_.maximum(farthest_move2(particles, listed_at_, farthest2_)) > 0.25 * skin * skin;
 }
 
 /// A step costs in proportion to (1 + skin)^D, a list is made every skin / (its change in a step) steps: so much that both together cost least.

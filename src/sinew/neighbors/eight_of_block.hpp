@@ -53,4 +53,23 @@ void of_each_block(const Particles<D>& particles, Sums&& sums, std::vector<doubl
   }
 }
 
+/// Square of the farthest way that a particle of this rank has moved since its displacement was `before` [length^2]. `scratch`: keeps its memory.
+template <int D>
+double farthest_move2(const Particles<D>& particles, const VectorField<D>& before, std::vector<double>& scratch) {
+  of_each_block<1>(
+      particles,
+      [&](const BlockRange& block) -> std::array<double, 1> {
+        Pack most(0.0);
+        for_each_eight(block, [&](const EightOfBlock& eight) {
+          const Vec<Pack, D> moved = eight(particles.displacement) - eight(before);
+          most = max(most, dot(moved, moved));
+        });
+        return {largest(most)};
+      },
+      scratch);
+  double most = 0.0;
+  for (const double of_block : scratch) most = std::max(most, of_block);
+  return most;
+}
+
 }  // namespace sinew
