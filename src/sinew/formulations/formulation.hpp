@@ -17,10 +17,11 @@ namespace sinew {
 struct ForceSummary {
   double strain_energy = 0.0;     ///< sum V psi [energy]; not finite if any particle is not
   double hourglass_energy = 0.0;  ///< measure of the energy in the hourglass stiffness [energy]
-  double released = 0.0;       ///< what the hourglass stiffness has lost since the last step, since flow has softened it [energy]
+  double released =
+      0.0;  ///< what the hourglass stiffness has lost since the last step by flow, or the held non-nested shear has taken [energy]
   double plastic_work = 0.0;   ///< dissipated in all of the past [energy]
   double damage_work = 0.0;    ///< likewise by damage [energy]
-  double viscous_power = 0.0;  ///< taken by artificial viscosity and JST dissipation [energy/time]
+  double viscous_power = 0.0;  ///< taken by artificial viscosity, JST dissipation, artificial stress and pressure [energy/time]
   double smallest_jacobian = 1.0;  ///< min det F
   double largest_rate2 = 0.0;      ///< max of (fastest wave speed / length)^2 [1/time^2]
   bool fails = false;              ///< whether the damage of a particle has become 1 in this step
