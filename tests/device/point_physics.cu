@@ -33,11 +33,11 @@ __global__ void material_response(double* out, Material material, M F) {
   if constexpr (HasHistory<Material>) {
     typename Material::template History<M> history;
     const auto response = material.respond(F, history, 0.0);
-    keep(out, trace(response.P), response.energy, material.acoustic_stiffness(F, response.P), history.strain, history.work,
+    keep(out, trace(response.P), response.energy, acoustic_stiffness(material, F, response.P), history.strain, history.work,
          trace(material.recall(F, history).P), material.hourglass_modulus(history), material.temperature(history));
   } else {
     const auto response = material.respond(F);
-    keep(out, trace(response.P), response.energy, material.acoustic_stiffness(F));
+    keep(out, trace(response.P), response.energy, acoustic_stiffness(material, F));
   }
 }
 

@@ -21,7 +21,7 @@ static const std::vector<WrongCase> wrong_bodies{
      "density, youngs_modulus, poissons_ratio, bulk_modulus, shear_modulus, lame_lambda."},
     {"UnknownKeyInFormulation", "stabilization =", "stabilisation =",
      "case.toml:19:1: [formulation]: unknown key \"stabilisation\". Did you mean \"stabilization\"? Known keys: model, kernel, "
-     "support, neighbors, correction, deformation_gradient, momentum, project_angular_momentum, stabilization."},
+     "support, neighbors, correction, deformation_gradient, momentum, project_angular_momentum, stabilization, reference_update."},
     {"UnknownKeyInStabilization", "alpha", "alfa",
      "case.toml:19:52: [formulation]: stabilization 1: unknown key \"alfa\". Known keys: model, alpha, normalization, "
      "plastic_switch."},

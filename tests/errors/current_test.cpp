@@ -32,6 +32,17 @@ static const std::vector<WrongCase> wrong_on_current{
      "out"},
     {"LinearOnCurrent", original, current + "correction = \"linear\"\n",
      "case.toml:20:14: [formulation]: \"updated_lagrangian\" knows the corrections \"none\" and \"gradient\""},
+    {"UpdateOnCurrent", original, current + "reference_update = { threshold = 2 }\n",
+     "case.toml:20:20: [formulation]: reference_update belongs to model = \"total_lagrangian\"; \"updated_lagrangian\" has no "
+     "reference"},
+    {"UpdateThreshold", original, original + "reference_update = { threshold = 0 }\n",
+     "case.toml:20:34: [formulation]: reference_update: threshold must be greater than 0, found 0"},
+    {"UpdateIsATable", original, original + "reference_update = 2\n",
+     "case.toml:20:20: [formulation]: reference_update: expected a table such as { threshold = 2 }, found an integer"},
+    {"UpdateOfBonds", original, original + "deformation_gradient = \"bond\"\nreference_update = {}\n",
+     "case.toml:21:20: [formulation]: reference_update goes with deformation_gradient = \"direct\""},
+    {"UpdateWithJst", "{ model = \"hourglass_stiffness\", alpha = 50.0 } ]", "{ model = \"jst\" } ]\nreference_update = {}",
+     "case.toml:20:20: [formulation]: reference_update does not go with stabilization \"jst\""},
     {"FrictionAngle", "model = \"neo_hookean\"", "model = \"drucker_prager\"\nfriction_angle = 95\ncohesion = 0",
      "case.toml:13:18: material \"rubber\": friction_angle must be from 0 to below 90 (degrees), found 95"},
 };

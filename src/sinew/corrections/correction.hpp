@@ -55,6 +55,8 @@ struct GradientMap {
   Mat<double, D> bend{};
   bool valid = true;
 
+  /// All gradients zero.
+  static GradientMap nothing() { return {{}, 0.0, 0.0, {}, {}, {}, false}; }
   SINEW_INLINE Vec<double, D> apply(double a, double W, const Vec<double, D>& X) const {
     return ((scale + dot(tilt, X)) * a) * (L * X) - W * (shift + bend * X);
   }

@@ -93,24 +93,25 @@ class Formulation {
   virtual void begin_stages() {}
   virtual void advance_stage(double /*begin*/, double /*rest*/, double /*dt*/) {}
 
-  /// Cuts off the particles that have failed in the last evaluation of the forces, if they are to separate. The elastic energy that this takes is
-  /// `released` in the summaries. Returns whether there were any.
-  virtual bool separate(const Particles<D>& /*particles*/) { return false; }
-  /// The same at a restart. `failed`: {number, contact radius} of each; `most_stiffness`: as it was, see below.
+  /// After an evaluation of the forces: cuts off the particles that have failed in it, if they are to separate, or renews the reference configuration, if that is due. The energy that
+  /// this takes is `released` in the summaries. Returns whether there was anything to do.
+  virtual bool rearrange(Particles<D>& /*particles*/) { return false; }
+  /// Cuts off particles again at a restart. `failed`: {number, contact radius} of each; `most_stiffness`: as it was, see below.
   virtual void restore_cracks(const Particles<D>& /*particles*/, const std::vector<double>& /*failed*/,
                               const std::vector<double>& /*most_stiffness*/) {}
 
   // From here on, every rank for itself.
 
-  virtual bool separates() const { return false; }  ///< any body
+  virtual bool separates() const { return false; }      ///< any body
+  virtual long reference_updates() const { return 0; }  ///< how often the reference configuration has been renewed
   const Cracks<D>& cracks() const { return cracks_; }
   /// Largest sum of the hourglass weights of a particle so far, of each body [1/length^2].
   virtual std::vector<double> most_stiffness() const { return {}; }
 
   /// Beside histories.
   virtual FieldsToSave<D> fields_to_save() { return {}; }
-  /// To be called when these have come back.
-  virtual void restored(const Particles<D>& /*particles*/) {}
+  /// To be called when these have come back. Collective.
+  virtual void restored(Particles<D>& /*particles*/) {}
 
   /// Of the last evaluation, block by block.
   const std::vector<ForceSummary>& block_summaries() const { return summaries_; }

@@ -38,12 +38,18 @@ SINEW_INLINE void put(const PlaneMatrix<Pack>& F, const Response<PlaneMatrix<Pac
 SINEW_INLINE const Mat3<Pack>& strained(const Mat<Pack, 3>& F) { return F; }
 SINEW_INLINE PlaneMatrix<Pack> strained(const Mat<Pack, 2>& F) { return {F, Pack(1.0)}; }
 
+template <int D, class Bound, class M>
+SINEW_INLINE Pack stiffness_of(const Bound& bound, const M& F, const SliceHistory<D>* slice) {
+  if (slice && slice->later) return largest_of_later<M>(bound, strained(slice->later->since), strained(slice->later->earlier));
+  return largest_of<M>(bound, F);
+}
+
 template <int D, class Material>
-void respond_elastic(const void* pointer, const Mat<Pack, D>& plane, const SliceHistory<D>*, PointResponse<D>& out) {
+void respond_elastic(const void* pointer, const Mat<Pack, D>& plane, const SliceHistory<D>* slice, PointResponse<D>& out) {
   const Material& material = *static_cast<const Material*>(pointer);
   const auto& F = strained(plane);
   const auto r = material.respond(F);
-  put(F, r, material.acoustic_stiffness(F), Pack(material.elastic.youngs_modulus), out);
+  put(F, r, stiffness_of(material.acoustic_bound(F), F, slice), Pack(material.elastic.youngs_modulus), out);
 }
 
 template <class Material>
@@ -52,7 +58,7 @@ void respond_in_plane_stress(const void* pointer, const Mat<Pack, 2>& plane, con
   const Pack stretch = PlaneStress<Material>{material}.thickness_stretch(PlaneMatrix<Pack>{plane, Pack(1.0)});
   const PlaneMatrix<Pack> F{plane, stretch};
   const auto r = material.respond(F);
-  put(F, r, material.acoustic_stiffness(F), Pack(material.elastic.youngs_modulus), out);
+  put(F, r, acoustic_stiffness(material, F), Pack(material.elastic.youngs_modulus), out);
 }
 
 /// Calls use(history number, its values in the block) for all numbers of a slice.
@@ -100,10 +106,10 @@ void respond_with_history(const void* pointer, const Mat<Pack, D>& plane, const 
       const M round = material.forget_shape(F, history);
       *slice->shapeless = plane_of(round);
       r = material.recall(round, history);
-      put(round, r, material.acoustic_stiffness(round, r.P), before.modulus, out);
+      put(round, r, acoustic_stiffness(material, round, r.P), before.modulus, out);
       return finish_history(material, history, before, *slice, out);
     }
-  put(F, r, material.acoustic_stiffness(F, r.P), before.modulus, out);
+  put(F, r, stiffness_of(material.acoustic_bound(F, r.P), F, slice), before.modulus, out);
   finish_history(material, history, before, *slice, out);
 }
 

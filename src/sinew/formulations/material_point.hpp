@@ -45,15 +45,22 @@ struct HistorySlots {
   int count = 0, first = 0;
 };
 
-/// What a sweep does with histories: they belong to the state already; or to an earlier one, from which materials go on to the state, and the new ones are kept or not.
-enum class HistoryUse { recall, respond, advance };
+/// What a sweep does with histories: they belong to the state already; or to an earlier one, from which materials go on to the state, and the new ones are kept or not. Or they belong
+/// to the state, and what materials that are written in rates know of its shape is forgotten; see SliceHistory::shapeless.
+enum class HistoryUse { recall, respond, advance, forget };
 
 /// How far time has gone since the histories, and what to do with them.
 struct PointStep {
   double dt = 0.0;
   HistoryUse use = HistoryUse::recall;
-  bool keep() const { return use == HistoryUse::advance; }
-  bool respond() const { return use != HistoryUse::recall; }
+  bool keep() const { return use == HistoryUse::advance || use == HistoryUse::forget; }
+  bool respond() const { return use == HistoryUse::respond || use == HistoryUse::advance; }
+};
+
+/// Of eight particles whose reference configuration has been renewed: F = since * earlier.
+template <int D>
+struct LaterFrame {
+  Mat<Pack, D> since, earlier;
 };
 
 template <int D>
@@ -64,6 +71,7 @@ struct SliceHistory {
   const double* radius;  ///< by slot: support radius [length]
   /// If given, a material that is written in rates puts here F with the same volume and no shape, from which it will go on.
   Mat<Pack, D>* shapeless = nullptr;
+  const LaterFrame<D>* later = nullptr;  ///< if given, the acoustic stiffness is that of this frame, per volume of the first one
 };
 
 /// Where damage finds its numbers in a history, and the speed of sound of the material.
@@ -86,7 +94,7 @@ struct MaterialPoint {
   DamageFunction damage_function = nullptr;
   DamageStep damage_step{};
 
-  /// `history`: nullptr where there are no numbers.
+  /// `history`: may be nullptr where there are no numbers and no later frame.
   void operator()(const Mat<Pack, D>& F, const SliceHistory<D>* history, PointResponse<D>& response) const {
     function(material, F, history, response);
     if (damage) damage_function(damage, F, *history, damage_step, response);

@@ -134,9 +134,9 @@ class AllWeights {
 
   void fill_slice(int slice, const SliceVolumes& volumes, const BlockReference<D>* reference) {
     SliceWeights<D, Kernel, Correction> weights(source_, options_, correction_, reference, w_, maps_);
-    const unsigned bad = weights.fill(slice, volumes);
+    const unsigned bad = weights.fill(slice, volumes, options_.lenient ? least_roundness : 0.0);
     most_[w_.constants_of[slice]] = weights.most();
-    if (bad == 0) return;
+    if (bad == 0 || options_.lenient) return;
 #pragma omp critical
     bad_ = std::min(bad_, first_slot(slice, bad));
   }

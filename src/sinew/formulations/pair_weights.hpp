@@ -53,6 +53,8 @@ struct WeightOptions {
   bool symmetric = false;    ///< force vectors 1/2 (g_ij - g_ji)
   bool vectors = false;      ///< for other reasons
   bool dissipation = false;  ///< weights of a Laplacian
+  bool lenient =
+      false;  ///< particles that see too few others have no gradient and no hourglass stiffness; otherwise that is an error
   bool by_distance = false;  ///< the length that limits the time step is the nearest distance alone, whatever the volume
 
   /// Some weights need the neighbor's map besides the particle's own.

@@ -127,11 +127,14 @@ class SliceWeights {
     GradientMaps<D> maps;
     for (int k = lanes - 1; k >= 0; --k) {
       if (volumes[k] == 0.0) continue;
-      const GradientMap<D> map = correction_.map(sums.lane(k));
-      if (!map.valid || roundness(sums.lane(k).first) < least_roundness) bad |= 1U << k;
+      GradientMap<D> map = correction_.map(sums.lane(k));
+      if (!map.valid || roundness(sums.lane(k).first) < least_roundness) {
+        bad |= 1U << k;
+        if (options_.lenient) map = GradientMap<D>::nothing();
+      }
       maps.set(k, map);
       if (kept_maps_) kept_maps_->set(reference_->slots[source_.pairs.blocks.place_of_slice[slice] + k], map);
-      finish(slice, k, volumes[k], sums);
+      finish(slice, k, volumes[k], sums, options_.lenient && (bad >> k & 1U) != 0U);
     }
     if (options_.radial())
       constants(slice).correction.set(maps.L);
@@ -253,13 +256,14 @@ class SliceWeights {
   SliceConstants<D>& constants(int slice) { return w_.constants[w_.constants_of[slice]]; }
 
   /// The other constants of one particle.
-  void finish(int slice, int k, double volume, const NeighborSums<D>& sums) {
+  void finish(int slice, int k, double volume, const NeighborSums<D>& sums, bool alone) {
     SliceConstants<D>& own = constants(slice);
     const double size = options_.by_distance ? infinity : std::pow(volume, 1.0 / D);
     double trace = 0.0;
     for (int i = 0; i < D; ++i) trace += sums.moment[i][i][k];
     double scale = options_.hourglass == HourglassWeight::central ? 1.0 : 0.0;
     if (options_.hourglass == HourglassWeight::conservative && trace > 0.0) scale = 1.0 / trace;
+    if (alone) scale = 0.0;
     own.volume.set(k, volume);
     own.inverse_length2.set(k, 1.0 / std::min(sums.nearest2[k], size * size));
     own.hourglass_scale.set(k, scale);

@@ -23,6 +23,9 @@ struct SliceInWork {
   Mat<Pack, D> S, F;
   Mat<Pack, D> direct;  ///< of the displacements, where F is an average over bonds
   PointResponse<D> point;
+  Pack volume;  ///< reference volume [length^D]
+  Pack
+      material;  ///< that of the material, in which it stores energy: the first one if the reference configuration has been renewed
 
   /// What pairs are compared with.
   template <class Pairs>

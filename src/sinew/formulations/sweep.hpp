@@ -100,7 +100,7 @@ template <int D, class Shares, class Pairs>
 SINEW_INLINE void give_forces(const SweepTask<D>& task, const SliceConstants<D>& constants, Pairs& pairs,
                               const SliceInWork<D>& slice, int slice_number, SweepSums& sums) {
   const PointResponse<D>& point = slice.point;
-  const Pack volume = constants.volume * task.thickness;
+  const Pack volume = slice.material * task.thickness;
   sums.energy += volume * point.energy;
   sums.jacobian = min(sums.jacobian, point.jacobian);
   Pack rate = stiffness_rate(task, constants, pairs, slice);
@@ -110,7 +110,7 @@ SINEW_INLINE void give_forces(const SweepTask<D>& task, const SliceConstants<D>&
   sums.stiffness_rate = max(sums.stiffness_rate, rate);
 
   const Pack modulus = task.fixed_modulus > 0.0 ? Pack(task.fixed_modulus) : point.hourglass_modulus;
-  const Pack stiffness = volume * task.hourglass * modulus * constants.hourglass_scale;
+  const Pack stiffness = slice.volume * task.thickness * task.hourglass * modulus * constants.hourglass_scale;
   const bool history = task.material.numbers > 0;
   if (task.form == DeformationGradient::bond_variational)
     SliceSlots<D>(task.source.pairs, task.block, slice_number).store_matrix(volume * point.P, task.matrices.stress);
@@ -123,13 +123,23 @@ SINEW_INLINE void give_forces(const SweepTask<D>& task, const SliceConstants<D>&
     sums.hourglass_energy += shares.hourglass_energy();
 }
 
+/// F and P with respect to the first reference configuration.
+template <int D>
+std::pair<Mat<Pack, D>, Mat<Pack, D>> since_start(const SweepTask<D>& task, const SliceSlots<D>& slots,
+                                                  const SliceInWork<D>& slice) {
+  if (!task.later) return {slice.F, slice.point.P};
+  const Mat<Pack, D> earlier = task.later->earlier(slots);
+  return {slice.F * earlier, slice.point.P * inverse(transpose(earlier))};
+}
+
 /// Keeps what `record` asks for of a slice.
 template <int D, class Pairs>
 void keep(const SweepTask<D>& task, int number, const SliceInWork<D>& slice, const Pairs& pairs) {
   const PointResponse<D>& point = slice.point;
   RecordedState& state = *task.record;
   const SliceSlots<D> slots(task.source.pairs, task.block, number);
-  const Mat3<Pack> F3 = embed(slice.F, point.thickness_stretch), P3 = embed(point.P, point.thickness_stress);
+  const auto [F, P] = since_start(task, slots, slice);
+  const Mat3<Pack> F3 = embed(F, point.thickness_stretch), P3 = embed(P, point.thickness_stress);
   for (int c = 0; c < 9; ++c) {
     slots.store(F3[c / 3][c % 3], state.deformation_gradient.component(c));
     slots.store(P3[c / 3][c % 3], state.stress.component(c));
@@ -145,8 +155,21 @@ void keep(const SweepTask<D>& task, int number, const SliceInWork<D>& slice, con
     slots.store(hourglass_error(slice.template of_pairs<Pairs>(task.form), pairs), state.hourglass_error.data());
 }
 
+/// Of a reference configuration that has been renewed: the material sees all of the deformation. Its stress turns to the frame of that configuration.
 template <int D>
-SINEW_INLINE void ask_material(const SweepTask<D>& task, int slice, SliceInWork<D>& work) {
+void ask_since_update(const SweepTask<D>& task, int slice, SliceInWork<D>& work) {
+  const SliceSlots<D> slots(task.source.pairs, task.block, slice);
+  const LaterFrame<D> frame{work.F, task.later->earlier(slots)};
+  const SliceHistory<D> history{task.history, slots, task.step, task.weights.radius.data(), nullptr, &frame};
+  task.material(frame.since * frame.earlier, &history, work.point);
+  work.point.P = work.point.P * transpose(frame.earlier);
+  work.material = slots.load(task.later->first_volume());
+}
+
+template <int D>
+SINEW_INLINE void ask_material(const SweepTask<D>& task, const SliceConstants<D>& constants, int slice, SliceInWork<D>& work) {
+  work.volume = work.material = constants.volume;
+  if (task.later) return ask_since_update(task, slice, work);
   if (task.material.numbers == 0) return task.material(work.F, nullptr, work.point);
   const SliceHistory<D> history{task.history, SliceSlots<D>(task.source.pairs, task.block, slice), task.step,
                                 task.weights.radius.data()};
@@ -168,7 +191,7 @@ void sweep_slices(const SweepTask<D>& task, Pairs pairs, int begin, int end, Swe
       pairs.enter(first + k);
       find_deformation(task, constants(first + k), pairs, first + k, slices[k]);
     }
-    for (int k = 0; k < count; ++k) ask_material(task, first + k, slices[k]);
+    for (int k = 0; k < count; ++k) ask_material(task, constants(first + k), first + k, slices[k]);
     for (int k = 0; k < count; ++k) {
       pairs.enter(first + k);
       give_forces<D, Shares>(task, constants(first + k), pairs, slices[k], first + k, sums);

@@ -1,6 +1,7 @@
 #pragma once
 /// Between the solver and the sweep, which is compiled once for each kind of weights and of hourglass force.
 
+#include <sinew/formulations/later_reference.hpp>
 #include <sinew/formulations/total_lagrangian.hpp>
 #include <sinew/neighbors/block_scratch.hpp>
 
@@ -27,10 +28,11 @@ struct SweepTask {
   RecordedState* record;  ///< nullptr: forces only
   DeformationGradient form;
   ParticleMatrices<D>& matrices;
-  double rate_step;           ///< how far the integrated gradients are to go [time]
-  double laplacian_scale;     ///< 2 C of JstDissipation; 0 without
-  bool outer_laplacian;       ///< the vectors in the scratch are to be smoothed by it
-  double corrected_harmonic;  ///< of JstDissipation, where it is exchanged by pairs; 0 otherwise [length^2/time]
+  double rate_step;                          ///< how far the integrated gradients are to go [time]
+  double laplacian_scale;                    ///< 2 C of JstDissipation; 0 without
+  bool outer_laplacian;                      ///< the vectors in the scratch are to be smoothed by it
+  double corrected_harmonic;                 ///< of JstDissipation, where it is exchanged by pairs; 0 otherwise [length^2/time]
+  const LaterReference<D>* later = nullptr;  ///< if the reference configuration has been renewed
 };
 
 /// Defined in sweep_2d.cpp and sweep_3d.cpp.

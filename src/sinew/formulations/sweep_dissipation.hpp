@@ -14,8 +14,9 @@ SINEW_INLINE Pack give_viscous_forces(const SweepTask<D>& task, const SliceConst
                                       const SliceInWork<D>& slice, int slice_number, SweepSums& sums) {
   const PointResponse<D>& point = slice.point;
   const SliceSlots<D> slots(task.source.pairs, task.block, slice_number);
-  const Pack h = 0.5 * slots.load(task.weights.radius.data()), volume = constants.volume * task.thickness;
-  const Pack size = (-0.5 * task.density) * volume * point.jacobian * point.jacobian;
+  const Pack h = 0.5 * slots.load(task.weights.radius.data()), volume = slice.material * task.thickness;
+  const Pack jacobian = task.later ? determinant(slice.F) : point.jacobian;
+  const Pack size = (-0.5 * task.density) * volume * jacobian * jacobian;
   ViscousShares<D> shares{size * (transpose(inverse(slice.F)) * constants.correction_matrix()), h, *task.viscosity,
                           task.sound_speed};
   pairs.exchange_moving(shares);

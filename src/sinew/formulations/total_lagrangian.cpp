@@ -1,5 +1,4 @@
 #include <sinew/formulations/mutual_weights.hpp>
-#include <sinew/formulations/separation.hpp>
 #include <sinew/formulations/sweep_dispatch.hpp>
 #include <sinew/formulations/total_lagrangian.hpp>
 
@@ -24,9 +23,32 @@ TotalLagrangian<D>::TotalLagrangian(const Particles<D>& particles, BlockPairs<D>
     : Formulation<D>(comm, std::move(pairs), std::move(halo),
                      HistoryStore(particles.blocks, history_numbers<D>(options.materials, options.damages, options.plane_stress)),
                      options.thickness),
-      options_(std::move(options)),
-      countdown_(pairs_.blocks),
-      spilled_(pairs_.blocks.ghosts) {
+      options_(std::move(options)) {
+  take_reference(particles, support_radius);
+  if (options_.separates())
+    cracks_ = Cracks<D>(comm_.maximum(
+        std::accumulate(support_radius.begin(), support_radius.end(), 0.0, [](double a, double b) { return max(a, b); })));
+}
+
+/// Everything that belongs to a reference configuration and its pairs.
+template <int D>
+void TotalLagrangian<D>::take_reference(const Particles<D>& particles, const std::vector<double>& support_radius) {
+  countdown_.emplace(pairs_.blocks);
+  spilled_ = VectorField<D>(pairs_.blocks.ghosts);
+  scratches_.clear();
+  sort_blocks(particles);
+  choose_weights();
+  make_weights(particles, support_radius);
+  make_matrices(particles);
+  make_dissipation();
+  limit_time_step(particles);
+}
+
+/// By whether they reach copies.
+template <int D>
+void TotalLagrangian<D>::sort_blocks(const Particles<D>& particles) {
+  inner_.clear();
+  edge_.clear();
   for (int b = 0; b < pairs_.blocks.count(); ++b) {
     const Block& block = pairs_.blocks.all[b];
     const auto runs = std::span(pairs_.blocks.runs).subspan(block.first_ghost, block.end_runs - block.first_ghost);
@@ -34,14 +56,6 @@ TotalLagrangian<D>::TotalLagrangian(const Particles<D>& particles, BlockPairs<D>
         std::any_of(runs.begin(), runs.end(), [&](const Run& run) { return run.slot >= particles.slots; });
     (reaches_copies ? edge_ : inner_).push_back(b);
   }
-  choose_weights();
-  make_weights(particles, support_radius);
-  make_matrices(particles);
-  make_dissipation();
-  limit_time_step(particles);
-  if (options_.separates())
-    cracks_ = Cracks<D>(comm_.maximum(
-        std::accumulate(support_radius.begin(), support_radius.end(), 0.0, [](double a, double b) { return max(a, b); })));
 }
 
 /// Weights that need both ends of a pair are made when the maps of copies have come.
@@ -79,6 +93,8 @@ void TotalLagrangian<D>::make_matrices(const Particles<D>& particles) {
 /// Coefficients of JST dissipation of each body. The eigenvalues of its Laplacian are not larger than twice the largest sum of its weights (Gershgorin).
 template <int D>
 void TotalLagrangian<D>::make_dissipation() {
+  dissipation_.clear();
+  dissipation_rate_ = 0.0;
   if (!options_.jst) return;
   comm_.maximum(weights_.most_trace);
   comm_.maximum(weights_.most_slope);
@@ -117,10 +133,11 @@ void TotalLagrangian<D>::choose_weights() {
   const WeightOptions options = weight_options();
   const auto entries = static_cast<std::size_t>(comm_.sum(static_cast<long>(pairs_.entries())));
   const std::size_t bytes = entries * lanes * sizeof(double) * (options.hourglass_weights() ? 2 : 1);
+  storage_ = options_.weights;
   if (!options.radial())
-    options_.weights = WeightStorage::stored;
-  else if (options.storage == WeightStorage::automatic)
-    options_.weights = bytes <= most_stored_bytes ? WeightStorage::stored : WeightStorage::computed;
+    storage_ = WeightStorage::stored;
+  else if (storage_ == WeightStorage::automatic)
+    storage_ = bytes <= most_stored_bytes ? WeightStorage::stored : WeightStorage::computed;
 }
 
 template <int D>
@@ -128,7 +145,8 @@ WeightOptions TotalLagrangian<D>::weight_options() const {
   HourglassWeight hourglass = HourglassWeight::none;
   if (options_.hourglass)
     hourglass = options_.hourglass->conservative() ? HourglassWeight::conservative : HourglassWeight::central;
-  WeightOptions options{options_.kernel, options_.correction, hourglass, options_.weights};
+  WeightOptions options{options_.kernel, options_.correction, hourglass, storage_};
+  options.lenient = later_ && later_->renewed();
   if (options_.averages())
     options.average =
         options_.deformation_gradient == DeformationGradient::bond_variational ? BondAverage::mutual : BondAverage::own;
@@ -137,48 +155,6 @@ WeightOptions TotalLagrangian<D>::weight_options() const {
   options.dissipation = options_.jst.has_value();
   options.by_distance = options_.wave_speed == WaveSpeed::reference;
   return options;
-}
-
-/// Energies of the blocks that have changed; what they have lost is released.
-template <int D>
-void TotalLagrangian<D>::measure_again(const Particles<D>& particles, const std::vector<char>& changed) {
-  const PairSource<D> source{particles, pairs_};
-  const WeightOptions weights = weight_options();
-  prepare_scratch();
-  for (std::size_t b = 0; b < changed.size(); ++b) {
-    if (!changed[b]) continue;
-    const SweepTask<D> task = task_of(static_cast<int>(b), source, weights, {}, nullptr);
-    const ForceSummary now = sweep_block<D>(task);
-    task.scratch.discard(task.block);
-    ForceSummary& summary = summaries_[b];
-    summary.released += summary.strain_energy + summary.hourglass_energy - now.strain_energy - now.hourglass_energy;
-    summary.strain_energy = now.strain_energy;
-    summary.hourglass_energy = now.hourglass_energy;
-  }
-}
-
-template <int D>
-Separation<D> TotalLagrangian<D>::separation(const Particles<D>& particles, const WeightOptions& weights) {
-  return Separation<D>({comm_, options_, weights, particles, pairs_, weights_, history_, cracks_});
-}
-
-template <int D>
-bool TotalLagrangian<D>::separate(const Particles<D>& particles) {
-  const WeightOptions weights = weight_options();
-  const std::vector<char> changed = separation(particles, weights).cut_off_failed(summaries_);
-  if (changed.empty()) return false;
-  measure_again(particles, changed);
-  limit_time_step(particles);
-  return true;
-}
-
-template <int D>
-void TotalLagrangian<D>::restore_cracks(const Particles<D>& particles, const std::vector<double>& failed,
-                                        const std::vector<double>& most_stiffness) {
-  const WeightOptions weights = weight_options();
-  separation(particles, weights).cut_off_again(failed);
-  weights_.most_stiffness = most_stiffness;
-  limit_time_step(particles);
 }
 
 template <int D>

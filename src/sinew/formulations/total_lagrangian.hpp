@@ -9,6 +9,7 @@
 /// block: each adds up in places of its own, see neighbors/blocks.hpp.
 
 #include <sinew/formulations/formulation.hpp>
+#include <sinew/formulations/later_reference.hpp>
 #include <sinew/formulations/pair_weights.hpp>
 #include <sinew/formulations/particle_matrices.hpp>
 #include <sinew/neighbors/block_scratch.hpp>
@@ -106,18 +107,22 @@ class TotalLagrangian final : public Formulation<D> {
   ParticleMatrices<D>& matrices() { return matrices_; }
   const ParticleMatrices<D>& matrices() const { return matrices_; }
 
+  /// Lets the reference configuration be renewed from now on.
+  void renew_by(std::unique_ptr<LaterReference<D>> later) { later_ = std::move(later); }
+  long reference_updates() const override { return later_ ? later_->updates() : 0; }
   /// Besides those that have failed, those are cut off that would be left with too few neighbors.
-  bool separate(const Particles<D>& particles) override;
+  bool rearrange(Particles<D>& particles) override;
   void restore_cracks(const Particles<D>& particles, const std::vector<double>& failed,
                       const std::vector<double>& most_stiffness) override;
   bool separates() const override { return options_.separates(); }
   std::vector<double> most_stiffness() const override { return weights_.most_stiffness; }
   FieldsToSave<D> fields_to_save() override;
+  void restored(Particles<D>& particles) override;
 
   double hourglass_time_step() const override { return hourglass_time_step_; }
   double dissipation_rate() const override { return dissipation_rate_; }
   Vec<double, D> toward_neighbors(const Particles<D>& particles, int slot) const override;
-  std::string_view weights_name() const override { return name_of(options_.weights); }
+  std::string_view weights_name() const override { return name_of(storage_); }
   std::vector<std::string> warnings() const override;
   std::string advice() const override;
   const TotalLagrangianOptions& options() const { return options_; }
@@ -142,11 +147,20 @@ class TotalLagrangian final : public Formulation<D> {
   void find_laplacians_of_all(Particles<D>& particles);
   void add_adjoint_forces(Particles<D>& particles, VectorField<D>& forces, Finish finish);
   double laplacian_scale(int body) const;
+  void take_reference(const Particles<D>& particles, const std::vector<double>& support_radius);
+  void sort_blocks(const Particles<D>& particles);
   void make_weights(const Particles<D>& particles, const std::vector<double>& support_radius);
   void make_matrices(const Particles<D>& particles);
   void make_dissipation();
   void bring_in_dissipated(const Block& block, const Particles<D>& particles, BlockScratch<D>& scratch) const;
 
+  Particles<D>& seen(Particles<D>& particles) {
+    return later_ ? later_->follow(particles, options_.needs_velocities()) : particles;
+  }
+  bool renew_reference(Particles<D>& particles);
+  void remember_deformation(Particles<D>& particles);
+  void replace_reference(SharedPairs<D> shared, Particles<D>& particles, std::vector<double> radius);
+  bool separate(const Particles<D>& particles);
   Separation<D> separation(const Particles<D>& particles, const WeightOptions& weights);
   void measure_again(const Particles<D>& particles, const std::vector<char>& changed);
   void limit_time_step(const Particles<D>& particles);
@@ -158,8 +172,10 @@ class TotalLagrangian final : public Formulation<D> {
   using Formulation<D>::comm_, Formulation<D>::halo_, Formulation<D>::pairs_, Formulation<D>::history_, Formulation<D>::cracks_,
       Formulation<D>::summaries_;
   TotalLagrangianOptions options_;
-  std::vector<int> inner_, edge_;  ///< blocks that reach no copies, and those that do
-  BlockCountdown countdown_;
+  WeightStorage storage_ = WeightStorage::automatic;  ///< as chosen by the options and the number of pairs
+  std::unique_ptr<LaterReference<D>> later_;          ///< nullptr: the reference configuration stays
+  std::vector<int> inner_, edge_;                     ///< blocks that reach no copies, and those that do
+  std::optional<BlockCountdown> countdown_;
   PairWeights<D> weights_;
   double hourglass_time_step_ = infinity, dissipation_rate_ = 0.0;
   std::vector<JstDissipation::Coefficients> dissipation_;  ///< one a body

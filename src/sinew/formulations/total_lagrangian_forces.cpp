@@ -39,7 +39,7 @@ SweepTask<D> TotalLagrangian<D>::task_of(int index, const PairSource<D>& source,
   if (options_.sweeps_velocities()) scratch.bring_in_velocities(block, source.particles);
   if (options_.averages()) scratch.bring_in_matrices(block, matrices_.gradient);
   if (options_.outer_laplacian()) bring_in_dissipated(block, source.particles, scratch);
-  if (block.has_list && options_.weights == WeightStorage::computed)
+  if (block.has_list && storage_ == WeightStorage::computed)
     scratch.bring_in_sizes(block, source.particles, weights_.radius.data());
   const AnyMaterial& material = options_.materials[block.body];
   const bool soft = !options_.hourglass || options_.hourglass->plastic_switch;
@@ -65,7 +65,8 @@ SweepTask<D> TotalLagrangian<D>::task_of(int index, const PairSource<D>& source,
           options_.stages ? 0.0 : step.dt,
           laplacian_scale(block.body),
           options_.outer_laplacian(),
-          options_.jst && options_.jst->corrected() ? dissipation_[block.body].harmonic : 0.0};
+          options_.jst && options_.jst->corrected() ? dissipation_[block.body].harmonic : 0.0,
+          later_ && later_->renewed() ? later_.get() : nullptr};
 }
 
 /// 0 without JST dissipation.
@@ -109,17 +110,17 @@ void TotalLagrangian<D>::sweep_to_forces(Particles<D>& particles, VectorField<D>
     add_spilled(pairs_.blocks, index, spilled_, forces);
     finish(pairs_.blocks.all[index].begin, pairs_.blocks.all[index].end);
   };
-  countdown_.start();
+  countdown_->start();
   sweep_blocks(
       particles,
       [&](int index) {
         work(index);
         scratches_[this_thread()].hand_out(pairs_.blocks.all[index], forces, spilled_);
-        countdown_.done(index, complete);
+        countdown_->done(index, complete);
       },
       traffic);
   for_each_block(
-      pairs_.blocks.awaiting, true, [&](int index) { countdown_.received(index, complete); }, [] {});
+      pairs_.blocks.awaiting, true, [&](int index) { countdown_->received(index, complete); }, [] {});
 }
 
 /// Displacements and velocities of copies, for sweeps that come before the one of the forces.
@@ -191,8 +192,9 @@ void TotalLagrangian<D>::prepare(Particles<D>& particles) {
 }
 
 template <int D>
-ForceSummary TotalLagrangian<D>::internal_forces(Particles<D>& particles, VectorField<D>& forces, PointStep step, Finish finish,
+ForceSummary TotalLagrangian<D>::internal_forces(Particles<D>& all, VectorField<D>& forces, PointStep step, Finish finish,
                                                  RecordedState* record) {
+  Particles<D>& particles = seen(all);
   const PairSource<D> source{particles, pairs_};
   const WeightOptions weights = weight_options();
   const bool variational = options_.deformation_gradient == DeformationGradient::bond_variational;
@@ -219,7 +221,8 @@ void TotalLagrangian<D>::add_adjoint_forces(Particles<D>& particles, VectorField
 }
 
 template <int D>
-ForceSummary TotalLagrangian<D>::record(Particles<D>& particles, RecordedState& state) {
+ForceSummary TotalLagrangian<D>::record(Particles<D>& all, RecordedState& state) {
+  Particles<D>& particles = seen(all);
   const PairSource<D> source{particles, pairs_};
   const WeightOptions weights = weight_options();
   recorded_.resize(summaries_.size());

@@ -30,6 +30,10 @@ bool may_use_lattice(const TotalLagrangianOptions& options) {
 
 template <int D>
 FieldsToSave<D> TotalLagrangian<D>::fields_to_save() {
+  if (later_)
+    return {{{"reference_updates", &later_->number_of_updates()}},
+            {{"reference_displacement", &later_->shift()}},
+            {{"reference_gradient", &later_->earlier()}}};
   if (matrices_.rate.empty()) return {};
   return {{}, {}, {{"integrated_gradient", &matrices_.gradient}, {"gradient_rate", &matrices_.rate}}};
 }

@@ -80,7 +80,7 @@ FieldsToSave<D> UpdatedLagrangian<D>::fields_to_save() {
 }
 
 template <int D>
-void UpdatedLagrangian<D>::restored(const Particles<D>& particles) {
+void UpdatedLagrangian<D>::restored(Particles<D>& particles) {
   make_list(particles, listed_at_);
 }
 

@@ -54,7 +54,7 @@ class UpdatedLagrangian final : public Formulation<D> {
   ForceSummary record(Particles<D>& particles, RecordedState& state) override;
   void begin(Particles<D>& particles) override;
   FieldsToSave<D> fields_to_save() override;
-  void restored(const Particles<D>& particles) override;
+  void restored(Particles<D>& particles) override;
 
   Vec<double, D> toward_neighbors(const Particles<D>& particles, int slot) const override;
   std::string_view weights_name() const override { return "computed"; }

@@ -95,12 +95,11 @@ struct J2 {
   /// In the current frame the elastic tangent is at most lambda + 2 mu plus twice the Kirchhoff stress, and flow lowers it; |F^-T N|^2 is at most the
   /// largest eigenvalue of C^-1.
   template <class M>
-  SINEW_INLINE ScalarOf<M> acoustic_stiffness(const M& F, const M& P) const {
+  SINEW_INLINE AcousticBound<ScalarOf<M>> acoustic_bound(const M& F, const M& P) const {
     using std::sqrt;
     using T = ScalarOf<M>;
-    const M inverse_F = inverse(F), tau = P * transpose(F);
-    return (T(elastic.lambda() + 2.0 * elastic.mu()) + T(2.0) * sqrt(double_dot(tau, tau))) *
-           largest_eigenvalue_bound(inverse_F * transpose(inverse_F));
+    const M tau = P * transpose(F);
+    return {T(0.0), T(elastic.lambda() + 2.0 * elastic.mu()) + T(2.0) * sqrt(double_dot(tau, tau))};
   }
 
   /// Where plastic strain is, the hourglass stiffness may be no more than that of the flow. Ganzenmueller (2015), sec. 4.5.

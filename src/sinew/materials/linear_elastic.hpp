@@ -42,7 +42,7 @@ struct LinearElastic {
 
   /// The tangent is constant: lambda + 2 mu.
   template <class M>
-  SINEW_INLINE ScalarOf<M> acoustic_stiffness(const M&) const {
+  SINEW_INLINE ScalarOf<M> acoustic_bound(const M&) const {
     return elastic.lambda() + 2.0 * elastic.mu();
   }
 };

@@ -49,13 +49,11 @@ struct NeoHookean {
   /// The acoustic tensor is mu I + (lambda + mu - lambda ln J) a (x) a, a = F^-T N; |a|^2 is at most the largest eigenvalue of
   /// C^-1.
   template <class M>
-  SINEW_INLINE ScalarOf<M> acoustic_stiffness(const M& F) const {
+  SINEW_INLINE AcousticBound<ScalarOf<M>> acoustic_bound(const M& F) const {
     using std::log;
     using T = ScalarOf<M>;
     const T lambda(elastic.lambda()), mu(elastic.mu());
-    const M inverse_F = inverse(F);
-    const T bulk_part = max(lambda + mu - lambda * log(determinant(F)), T(0.0));
-    return mu + bulk_part * largest_eigenvalue_bound(inverse_F * transpose(inverse_F));
+    return {mu, max(lambda + mu - lambda * log(determinant(F)), T(0.0))};
   }
 };
 

@@ -56,7 +56,7 @@ struct PlaneStress : Material {
   /// state.
   template <class M>
   SINEW_POINTWISE ScalarOf<M> acoustic_stiffness(const M& F) const {
-    return Material::acoustic_stiffness(with_thickness(F, thickness_stretch(F)));
+    return sinew::acoustic_stiffness(static_cast<const Material&>(*this), with_thickness(F, thickness_stretch(F)));
   }
 
  private:

@@ -24,7 +24,7 @@ struct Rigid {
     return {};
   }
   template <class M>
-  SINEW_INLINE ScalarOf<M> acoustic_stiffness(const M&) const {
+  SINEW_INLINE ScalarOf<M> acoustic_bound(const M&) const {
     return 0.0;
   }
 };

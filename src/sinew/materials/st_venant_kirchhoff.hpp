@@ -52,7 +52,7 @@ struct StVenantKirchhoff {
   /// The acoustic tensor is (lambda + mu) F N (x) F N + mu b + S_NN I. Each term is largest for N along the largest principal
   /// stretch s, which gives (lambda + 3 mu) s^2 + lambda tr(E) - mu.
   template <class M>
-  SINEW_INLINE ScalarOf<M> acoustic_stiffness(const M& F) const {
+  SINEW_INLINE ScalarOf<M> acoustic_bound(const M& F) const {
     using T = ScalarOf<M>;
     const double lambda = elastic.lambda(), mu = elastic.mu();
     const M C = transpose(F) * F;

@@ -54,6 +54,7 @@ const std::vector<QuantityInfo>& total_quantities() {
        "Number of pieces: particles that have not failed, linked to their neighbors that have not failed either.", true},
       {"largest_fragment", scalar, "kg", "Mass of the heaviest of these pieces.", true},
       {"debris", scalar, "kg", "Mass of the failed particles, which belong to no piece.", true},
+      {"reference_updates", scalar, "1", "How often the reference configuration has been renewed.", true},
       {"time_step", scalar, "s", "Time step.", true},
   };
   return list;

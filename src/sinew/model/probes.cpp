@@ -105,6 +105,7 @@ template <int D>
 double Probes<D>::total(const Probe& probe, const ProbedState<D>& state) const {
   const std::string& name = probe.c.quantity;
   if (name == "time_step") return state.time_step;
+  if (name == "reference_updates") return static_cast<double>(state.solid.reference_updates());
   if (name == "contact_depth") {
     double deepest = 0.0;
     for (const ContactSums& sums : state.contacts.sums()) deepest = std::max(deepest, sums.depth);

@@ -94,6 +94,24 @@ void check_updated(const CaseReader& reader, const Node& table) {
                                       "cut off; leave out separate = true");
 }
 
+/// What a reference configuration that is renewed does not know.
+void check_reference_update(const CaseReader& reader, const Node& table) {
+  const FormulationCase& f = reader.result.formulation;
+  if (!f.reference_update) return;
+  const auto refuse = [&](const std::string& text) {
+    throw CaseError(table.find("reference_update")->place, "[formulation]: reference_update " + text);
+  };
+  if (f.model != "total_lagrangian") refuse("belongs to model = \"total_lagrangian\"; \"" + f.model + "\" has no reference");
+  if (f.deformation_gradient != "direct") refuse("goes with deformation_gradient = \"direct\"");
+  if (f.momentum != "adjoint") refuse("goes with momentum = \"adjoint\"");
+  if (has_jst(f)) refuse("does not go with stabilization \"jst\"");
+  if (reader.result.general.dimension == 2 && reader.result.general.plane == PlaneState::stress)
+    refuse("goes with plane = \"strain\"");
+  for (const BodyCase& body : reader.result.bodies)
+    if (body.damage && std::visit([](const auto& damage) { return damage.growth.separate; }, *body.damage))
+      refuse("would join again what has come apart; leave out separate = true of body \"" + body.name + "\"");
+}
+
 /// Treatments belong to a configuration.
 void check_stabilizations(const FormulationCase& f, const Node& table) {
   const bool current = f.model == "updated_lagrangian";
@@ -137,6 +155,7 @@ void read_formulation(CaseReader& reader) {
   formulation.place = table.place;
   check_radii(formulation, table);
   check_stabilizations(formulation, table);
+  check_reference_update(reader, table);
   if (updated)
     check_updated(reader, table);
   else

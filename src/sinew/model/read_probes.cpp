@@ -60,6 +60,10 @@ void check_quantity(const CaseReader& reader, ProbeCase& probe, const Node& entr
     throw CaseError(place_of(entry, "quantity"), owner +
                                                      ": hourglass_error does not exist with \"updated_lagrangian\", whose "
                                                      "deformation gradient is not one of displacements");
+  const bool counts_pieces = probe.quantity == "fragments" || probe.quantity == "largest_fragment" || probe.quantity == "debris";
+  if (counts_pieces && reader.result.formulation.reference_update)
+    throw CaseError(place_of(entry, "quantity"),
+                    owner + ": " + probe.quantity + " does not go with reference_update, which joins anew what is near");
   if (probe.quantity == "reaction_force" && probe.region.empty())
     throw CaseError(entry.place, owner + ": \"region\" is missing; it says on which particles the reaction force is summed");
   check_wall(reader, probe, entry, owner);

@@ -33,6 +33,8 @@ void read_solver_and_output(CaseReader& reader) {
   if (solver.integrator == "rk3" && (reader.root.find("contact") || reader.root.find("wall")))
     throw CaseError(table.find("integrator")->place,
                     "[solver]: integrator \"rk3\" knows no contact and no walls; use \"velocity_verlet\"");
+  if (reader.result.formulation.reference_update && solver.wave_speed != "bound")
+    throw CaseError(table.find("wave_speed")->place, "[solver]: reference_update goes with wave_speed \"bound\"");
   if (reader.result.formulation.model == "updated_lagrangian") {
     if (solver.integrator != "velocity_verlet")
       throw CaseError(table.find("integrator")->place,

@@ -69,24 +69,37 @@ void check_spacings(const Case& c, const std::vector<GeneratedBody>& bodies) {
                       c.bodies[b].name, bodies[b].spacing, c.bodies[0].name, bodies[0].spacing));
 }
 
+/// `all`: of all ranks.
 template <int D>
-SolidSetup<D> complete(const Case& c, SolidSetup<D> setup, BlockPairs<D> pairs, const Comm& comm, Halo halo) {
+std::unique_ptr<Formulation<D>> total_lagrangian(const Case& c, const SolidSetup<D>& setup, const Arrangement<D>& all,
+                                                 SharedPairs<D> shared, const Comm& comm) {
+  auto solid = std::make_unique<TotalLagrangian<D>>(setup.particles, std::move(shared.pairs), setup.support_radius,
+                                                    total_lagrangian_options(c), comm, std::move(shared.halo));
+  if (c.formulation.reference_update)
+    solid->renew_by(std::make_unique<LaterReference<D>>(all, std::move(shared.share.owner), setup.particles,
+                                                        c.formulation.reference_update->threshold, thickness_of(c)));
+  return solid;
+}
+
+template <int D>
+SolidSetup<D> complete(const Case& c, SolidSetup<D> setup, const Arrangement<D>& all, SharedPairs<D> shared, const Comm& comm) {
   if (is_updated(c))
-    setup.solid = std::make_unique<UpdatedLagrangian<D>>(setup.particles, std::move(pairs),
+    setup.solid = std::make_unique<UpdatedLagrangian<D>>(setup.particles, std::move(shared.pairs),
                                                          updated_lagrangian_options(c, setup.particles.bodies.front().spacing),
-                                                         comm, std::move(halo));
+                                                         comm, std::move(shared.halo));
   else
-    setup.solid = std::make_unique<TotalLagrangian<D>>(setup.particles, std::move(pairs), setup.support_radius,
-                                                       total_lagrangian_options(c), comm, std::move(halo));
+    setup.solid = total_lagrangian(c, setup, all, std::move(shared), comm);
   return setup;
 }
 
 template <int D>
-SolidSetup<D> set_up_alone(const Case& c, Arrangement<D> all, Regions regions, bool lattice) {
+SolidSetup<D> set_up_alone(const Case& c, const Arrangement<D>& all, Regions regions, bool lattice) {
   std::vector<double> radius = support_radii(c, all, all.block_numbers());
-  BlockPairs<D> pairs = make_block_pairs(all, build_pair_list(all, radius), radius, lattice);
-  return complete<D>(c, {Particles<D>(std::move(all), thickness_of(c)), std::move(regions), std::move(radius), nullptr},
-                     std::move(pairs), Comm(), Halo());
+  SharedPairs<D> shared;
+  shared.pairs = make_block_pairs(all, build_pair_list(all, radius), radius, lattice);
+  shared.share.owner.assign(all.blocks.size(), 0);
+  return complete<D>(c, {Particles<D>(all, thickness_of(c)), std::move(regions), std::move(radius), nullptr}, all,
+                     std::move(shared), Comm());
 }
 
 template <int D>
@@ -94,22 +107,18 @@ SolidSetup<D> set_up_share(const Case& c, const Arrangement<D>& all, Regions reg
   std::vector<int> owner = owners_of_blocks(c, all, comm), own;
   for (std::size_t b = 0; b < owner.size(); ++b)
     if (owner[b] == comm.rank()) own.push_back(static_cast<int>(b));
-  BlockPairs<D> pairs;
   std::vector<double> radius;
-  comm.together([&] {
-    radius = support_radii(c, all, own);
-    pairs = make_block_pairs(all, own, build_pair_list(all, radius), radius, lattice);
-  });
-  const Share share = make_share(comm, all, std::move(owner), pairs.blocks);
-  Halo halo = distribute(comm, share, pairs);
+  comm.together([&] { radius = support_radii(c, all, own); });
+  SharedPairs<D> shared = share_pairs(comm, all, std::move(owner), radius, lattice);
+  const Share& share = shared.share;
   keep_own(regions, share);
   std::vector<double> own_radius(share.slots, 0.0);
   for (int slot = 0; slot < all.slots; ++slot)
     if (radius[slot] > 0.0) own_radius[share.local_of[slot]] = radius[slot];
   own_radius.resize(share.slots + share.copied(), 0.0);
-  return complete<D>(
-      c, {Particles<D>(part_of(all, share), thickness_of(c), share.copied()), std::move(regions), std::move(own_radius), nullptr},
-      std::move(pairs), comm, std::move(halo));
+  SolidSetup<D> setup{Particles<D>(part_of(all, share), thickness_of(c), share.copied()), std::move(regions),
+                      std::move(own_radius), nullptr};
+  return complete<D>(c, std::move(setup), all, std::move(shared), comm);
 }
 
 }  // namespace
@@ -124,7 +133,7 @@ SolidSetup<D> set_up(const Case& c, const std::vector<GeneratedBody>& bodies, co
     regions = select_regions(c, bodies, all);
   });
   const bool lattice = !is_updated(c) && may_use_lattice(total_lagrangian_options(c));
-  if (comm.alone()) return set_up_alone(c, std::move(all), std::move(regions), lattice);
+  if (comm.alone()) return set_up_alone(c, all, std::move(regions), lattice);
   return set_up_share(c, all, std::move(regions), lattice, comm);
 }
 

@@ -158,8 +158,8 @@ void SolidSimulation<D>::update_forces(double dt) {
   summary_ = internal_forces({dt, HistoryUse::advance}, kick, recorded);
   if (recorded) recorded_step_ = steps_;
   timer_.mark("forces and kick");
-  if (solid_->separates() && solid_->separate(particles_)) mind_cracks();
-  timer_.mark("separation");
+  if (solid_->rearrange(particles_)) mind_arrangement();
+  timer_.mark("rearrangement");
   guard([&] { motion_.hold(particles_, time_, dt, case_.solver.damping); });
   if (time_ > 0.0) count_dissipation(dt);
   timer_.mark("boundary");
@@ -169,8 +169,8 @@ void SolidSimulation<D>::update_forces(double dt) {
 
 /// What depends on who sees whom.
 template <int D>
-void SolidSimulation<D>::mind_cracks() {
-  contacts_.pairs().mind(solid_->cracks());
+void SolidSimulation<D>::mind_arrangement() {
+  if (solid_->separates()) contacts_.pairs().mind(solid_->cracks());
   step_size_.hourglass_limit = solid_->hourglass_time_step();
   recorded_step_ = -1;
 }

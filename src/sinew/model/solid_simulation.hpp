@@ -61,7 +61,7 @@ class SolidSimulation final : public Simulation {
   void advance_in_stages(double dt);
   void update_forces(double dt);
   ForceSummary internal_forces(PointStep step, const AccelerateAndKick<D>& kick, RecordedState* recorded);
-  void mind_cracks();
+  void mind_arrangement();
   void count_dissipation(double dt);
   void check_same_parts(const SavedState& state);
   void save_contacts(SavedState& state);
@@ -98,7 +98,7 @@ class SolidSimulation final : public Simulation {
   std::optional<RungeKuttaStep<D>> stages_;  ///< nothing: velocity Verlet
   std::optional<AngularProjection<D>> projection_;
   UserOrder order_;
-  PassTimer timer_{"drift", "boundary", "contact", "forces and kick", "separation", "time step"};
+  PassTimer timer_{"drift", "boundary", "contact", "forces and kick", "rearrangement", "time step"};
 
   double time_ = 0.0;
   long steps_ = 0;

@@ -172,9 +172,9 @@ void SolidSimulation<D>::restore(const SavedState& s) {
   if (solid_->history().width() > 0) from_users_order(s.fields.at("history"), particles_, order_, solid_->history());
   if (const auto failed = s.arrays.find("failed"); failed != s.arrays.end()) {
     solid_->restore_cracks(particles_, failed->second, s.arrays.at("most_stiffness"));
-    mind_cracks();
   }
   solid_->restored(particles_);
+  mind_arrangement();
   time_ = s.time;
   steps_ = s.step;
   const std::vector<double>&of_blocks = s.arrays.at("blocks"), &reactions = s.arrays.at("reactions");

@@ -185,6 +185,23 @@ Halo distribute(const Comm& comm, const Share& share, BlockPairs<D>& pairs) {
   return halo;
 }
 
+template <int D>
+SharedPairs<D> share_pairs(const Comm& comm, const Arrangement<D>& all, std::vector<int> owner, const std::vector<double>& radius,
+                           bool look_for_lattice) {
+  SharedPairs<D> shared;
+  comm.together([&] {
+    std::vector<int> own;
+    for (std::size_t b = 0; b < owner.size(); ++b)
+      if (owner[b] == comm.rank()) own.push_back(static_cast<int>(b));
+    shared.pairs = make_block_pairs(all, own, build_pair_list(all, radius), radius, look_for_lattice);
+  });
+  shared.share = make_share(comm, all, std::move(owner), shared.pairs.blocks);
+  shared.halo = distribute(comm, shared.share, shared.pairs);
+  return shared;
+}
+
+template SharedPairs<2> share_pairs<2>(const Comm&, const Arrangement<2>&, std::vector<int>, const std::vector<double>&, bool);
+template SharedPairs<3> share_pairs<3>(const Comm&, const Arrangement<3>&, std::vector<int>, const std::vector<double>&, bool);
 template Share make_share<2>(const Comm&, const Arrangement<2>&, std::vector<int>, const Blocks&);
 template Share make_share<3>(const Comm&, const Arrangement<3>&, std::vector<int>, const Blocks&);
 template Arrangement<2> part_of<2>(const Arrangement<2>&, const Share&);

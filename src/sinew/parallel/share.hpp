@@ -42,4 +42,17 @@ struct Halo {
 template <int D>
 Halo distribute(const Comm& comm, const Share& share, BlockPairs<D>& pairs);
 
+/// A configuration as one rank has it.
+template <int D>
+struct SharedPairs {
+  BlockPairs<D> pairs;
+  Share share;
+  Halo halo;
+};
+
+/// The pairs of a rank. `radius`: of the supports of its particles, by slot of the whole, 0 of others. Collective.
+template <int D>
+SharedPairs<D> share_pairs(const Comm& comm, const Arrangement<D>& all, std::vector<int> owner, const std::vector<double>& radius,
+                           bool look_for_lattice);
+
 }  // namespace sinew

@@ -142,13 +142,13 @@ TYPED_TEST(J2Contract, PackGivesTheValuesOfItsLanes) {
     }
   }
   const auto r = respond(this->material, packed_F, packed, this->dt);
-  const Pack stiffness = this->material.acoustic_stiffness(packed_F, r.P), modulus = this->material.hourglass_modulus(packed);
+  const Pack stiffness = acoustic_stiffness(this->material, packed_F, r.P), modulus = this->material.hourglass_modulus(packed);
   for (int k = 0; k < lanes; ++k) {
     const auto one = respond(this->material, F[k], single[k], this->dt);
     EXPECT_NEAR(r.energy[k], one.energy, 1e-14);
     EXPECT_NEAR(packed.strain[k], single[k].strain, 1e-13);
     EXPECT_NEAR(packed.work[k], single[k].work, 1e-14);
-    EXPECT_NEAR(stiffness[k], this->material.acoustic_stiffness(F[k], one.P), 1e-12 * stiffness[k]);
+    EXPECT_NEAR(stiffness[k], acoustic_stiffness(this->material, F[k], one.P), 1e-12 * stiffness[k]);
     EXPECT_NEAR(modulus[k], k == 0 ? this->material.elastic.youngs_modulus : 0.01, 1e-15);
     for (int c = 0; c < 9; ++c) EXPECT_NEAR(r.P[c / 3][c % 3][k], one.P[c / 3][c % 3], 1e-13);
   }
@@ -179,7 +179,7 @@ TYPED_TEST(J2Contract, AcousticStiffnessBoundsTheAcousticTensor) {
     const auto history = this->some_history();
     const Mat3<double> F = random_gradient(this->random, trial % 2 == 0 ? 0.01 : 0.4) * this->here;
     const Tangent<double> A = strong.tangent(F, history, 0.0);
-    const double bound = strong.acoustic_stiffness(F, strong.recall(F, history).P);
+    const double bound = acoustic_stiffness(strong, F, strong.recall(F, history).P);
     double sampled = 0.0;
     for (int k = 0; k < 300; ++k) {
       const Vec3<double> N = random_direction(this->random);
@@ -194,7 +194,7 @@ TYPED_TEST(J2Contract, AcousticStiffnessBoundsTheAcousticTensor) {
   }
   EXPECT_LT(loosest, 1.5) << "at elastic strains of a few percent";
   PlasticHistory<Mat3<double>> virgin;
-  EXPECT_NEAR(this->material.acoustic_stiffness(Mat3<double>::identity(), Mat3<double>{}), 2.0 + 4.0 / 3.0 * 0.8, 1e-12);
+  EXPECT_NEAR(acoustic_stiffness(this->material, Mat3<double>::identity(), Mat3<double>{}), 2.0 + 4.0 / 3.0 * 0.8, 1e-12);
 }
 
 TYPED_TEST(J2Contract, SaysWhatItIs) {
