@@ -7,7 +7,7 @@ namespace sinew {
 static const std::vector<WrongCase> wrong_bodies{
     {"UnknownSection", "[output]", "[outputs]",
      "case.toml:31:2: unknown key \"outputs\". Did you mean \"output\"? Known keys: case, parameters, body, material, "
-     "formulation, region, initial, boundary, body_force, contact, wall, solver, output, probe, expect, study."},
+     "formulation, region, initial, boundary, body_force, contact, wall, solver, stage, output, probe, expect, study."},
     {"UnknownKeyInCase", "name = \"column\"\ndim", "nam = \"column\"\ndim",
      "case.toml:2:1: [case]: unknown key \"nam\". Did you mean \"name\"? Known keys: name, reference, dimension, plane, "
      "thickness, units, tier."},
@@ -21,13 +21,14 @@ static const std::vector<WrongCase> wrong_bodies{
      "density, youngs_modulus, poissons_ratio, bulk_modulus, shear_modulus, lame_lambda."},
     {"UnknownKeyInFormulation", "stabilization =", "stabilisation =",
      "case.toml:19:1: [formulation]: unknown key \"stabilisation\". Did you mean \"stabilization\"? Known keys: model, kernel, "
-     "support, neighbors, correction, deformation_gradient, momentum, project_angular_momentum, stabilization, reference_update."},
+     "support, neighbors, correction, deformation_gradient, momentum, project_angular_momentum, stabilization, "
+     "reference_update."},
     {"UnknownKeyInStabilization", "alpha", "alfa",
      "case.toml:19:52: [formulation]: stabilization 1: unknown key \"alfa\". Known keys: model, alpha, normalization, "
      "plastic_switch."},
     {"SectionIsNumber", "[output]\n", "output.every = 1\n[outputx]\n",
      "case.toml:32:2: unknown key \"outputx\". Did you mean \"output\"? Known keys: case, parameters, body, material, "
-     "formulation, region, initial, boundary, body_force, contact, wall, solver, output, probe, expect, study."},
+     "formulation, region, initial, boundary, body_force, contact, wall, solver, stage, output, probe, expect, study."},
     {"DimensionFour", "dimension = 3", "dimension = 4", "case.toml:3:13: [case]: dimension must be 2 or 3, found 4"},
     {"DimensionMissing", "dimension = 3\n", "", "case.toml:1:1: [case]: \"dimension\" is missing. Number of dimensions."},
     {"PlaneInThreeDimensions", "dimension = 3", "dimension = 3\nplane = \"stress\"",

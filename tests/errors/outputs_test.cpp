@@ -19,7 +19,7 @@ static const std::vector<WrongCase> wrong_outputs{
      "case.toml:41:1: expect 1: unknown key \"tolerence\". Did you mean \"tolerance\"? Known keys: quantity, value, tolerance, "
      "absolute, exact, with, why, source, note, tier."},
     {"UnknownKeyInStudy", "[[expect]]", "[study]\nvery = {}\n[[expect]]",
-     "case.toml:39:1: [study]: unknown key \"very\". Did you mean \"vary\"? Known keys: vary."},
+     "case.toml:39:1: [study]: unknown key \"very\". Did you mean \"vary\"? Known keys: vary, safety."},
     {"EndTimeZero", "end_time = 0.5", "end_time = 0", "case.toml:30:12: [solver]: end_time must be greater than 0, found 0"},
     {"EndTimeMissing", "end_time = 0.5", "max_stepss = 5",
      "case.toml:30:1: [solver]: unknown key \"max_stepss\". Did you mean \"max_steps\"? Known keys: mode, integrator, cfl, "

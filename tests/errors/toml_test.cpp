@@ -49,7 +49,8 @@ TEST(WrongOverride, HasItsMessage) {
       "end_time, max_steps, time_step, damping, pair_weights, lattice, block_size.");
   EXPECT_EQ(error_of_override("solvers.cfl", "0.1"),
             "--set solvers.cfl=0.1: unknown key \"solvers\". Did you mean \"solver\"? Known keys: case, parameters, body, "
-            "material, formulation, region, initial, boundary, body_force, contact, wall, solver, output, probe, expect, study.");
+            "material, formulation, region, initial, boundary, body_force, contact, wall, solver, stage, output, probe, expect, "
+            "study.");
   EXPECT_EQ(error_of_override("solver.cfl", "2"),
             "--set solver.cfl=2: [solver]: cfl must be greater than 0 and at most 1, found 2");
   EXPECT_EQ(error_of_override("solver.cfl.x", "2"),

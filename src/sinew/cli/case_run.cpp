@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <limits>
 #include <sinew/cli/interruption.hpp>
+#include <sinew/cli/number_format.hpp>
 #include <sinew/cli/progress.hpp>
 #include <sinew/cli/schedule.hpp>
 #include <sinew/io/file.hpp>
@@ -55,6 +57,8 @@ void CaseRun::resume(const Checkpoint& checkpoint) {
   control.comm.on_root([&] { series->rewrite(); });
   frames.emplace(folder, std::move(*series), real_of(c.output), control.comm);
   recorder.resume(checkpoint.numbers);
+  if (const auto begin = checkpoint.numbers.find("run.stage_begin"); begin != checkpoint.numbers.end())
+    stage_begin = begin->second;
   last_frame_step = static_cast<long>(checkpoint.numbers.at("run.last_frame_step"));
   earlier_seconds = checkpoint.numbers.at("run.wall_seconds");
   stepping_seconds = checkpoint.numbers.at("run.stepping_seconds");
@@ -62,16 +66,16 @@ void CaseRun::resume(const Checkpoint& checkpoint) {
 
 bool CaseRun::at_end() const {
   if (c.solver.max_steps && simulation.steps() >= *c.solver.max_steps) return true;
-  if (std::isinf(c.solver.end_time)) return false;
-  const double left = c.solver.end_time - simulation.time();
-  return left <= std::max(1e-9 * simulation.stable_time_step(), 4.0 * std::numeric_limits<double>::epsilon() * c.solver.end_time);
+  const double end = simulation.end_time(), left = end - simulation.time();
+  if (std::isinf(end)) return false;
+  return left <= std::max(1e-9 * simulation.stable_time_step(), 4.0 * std::numeric_limits<double>::epsilon() * end);
 }
 
 RunResult CaseRun::to_the_end() {
   attempt([&] { march(); });
   reporter.clear_bar();
   write_rest();
-  FinishedRun finished{status == "completed", simulation.time(), recorder.probes(), {}};
+  FinishedRun finished{status == "completed", simulation.time(), recorder.probes(), {}, stage_begin};
   RunResult result{summarize(finished), std::move(finished)};
   attempt([&] { control.comm.on_root([&] { write_summary(folder.summary(), result.summary); }); });
   result.summary.status = status;
@@ -88,11 +92,20 @@ void CaseRun::march() {
       break;
     }
     const double before = simulation.time();
+    const std::string stage = simulation.stage();
     step();
     if (status != "completed") break;
+    if (simulation.stage() != stage) say_stage();
     write_due(before);
     progress.update(state());
   }
+}
+
+void CaseRun::say_stage() {
+  stage_begin = simulation.time();
+  reporter.clear_bar();
+  reporter.say(
+      fmt::format("stage \"{}\" begins at t = {}", simulation.stage(), quantity_text(stage_begin, c.general.units.name_of("s"))));
 }
 
 /// Whether a frame or a row with F or stresses follows the step.
@@ -104,7 +117,7 @@ bool CaseRun::record_follows(double now, double next) const {
 void CaseRun::step() {
   const Clock::time_point start = Clock::now();
   try {
-    const double now = simulation.time(), most = c.solver.end_time - now;
+    const double now = simulation.time(), most = simulation.end_time() - now;
     const double next = now + std::min(simulation.stable_time_step(), most);
     if (record_follows(now, next)) simulation.expect_record();
     simulation.step(most);
@@ -133,6 +146,7 @@ void CaseRun::write_state() {
   recorder.flush();
   SavedState state = simulation.save();
   recorder.save(state.numbers);
+  state.numbers["run.stage_begin"] = stage_begin;
   state.numbers["run.last_frame_step"] = static_cast<double>(last_frame_step);
   state.numbers["run.wall_seconds"] = wall_seconds();
   state.numbers["run.stepping_seconds"] = stepping_seconds;
@@ -182,7 +196,7 @@ void CaseRun::write_rest() {
 }
 
 double CaseRun::fraction() const {
-  double share = simulation.time() / c.solver.end_time;
+  double share = simulation.time() / simulation.end_time();
   if (c.solver.max_steps)
     share = std::max(share, static_cast<double>(simulation.steps()) / static_cast<double>(*c.solver.max_steps));
   return std::min(share, 1.0);

@@ -48,6 +48,7 @@ class CaseRun {
 
   void march();
   void step();
+  void say_stage();
   bool record_follows(double now, double next) const;
   void write_due(double time_before);
   void write_frame();  ///< hands the state to the writer of frames
@@ -70,6 +71,7 @@ class CaseRun {
   std::string case_text;
   bool frames_need_record;
   std::optional<FrameWriter> frames;
+  double stage_begin = 0.0;  ///< of the present stage
   long last_frame_step = -1;
   std::string status = "completed", message;
   double earlier_seconds = 0.0, stepping_seconds = 0.0;  ///< earlier: of the run that is resumed

@@ -1,4 +1,5 @@
 #include <sinew/cli/expect.hpp>
+#include <sinew/cli/safety.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -81,10 +82,15 @@ std::vector<ExpectSummary> check_expects(const std::vector<ExpectCase>& expects,
   return rows;
 }
 
-std::vector<ExpectSummary> check_study(const std::vector<ExpectCase>& expects, std::span<const FinishedRun> runs, Tier tier) {
+std::vector<ExpectSummary> check_study(const std::vector<ExpectCase>& expects, std::span<const FinishedRun> runs, Tier tier,
+                                       const std::optional<SafetyCase>& safety) {
   std::vector<ExpectSummary> rows;
   for (const ExpectCase& expect : expects) {
     if (!included(expect, tier)) continue;
+    if (expect.quantity == "safety_factor") {
+      rows.push_back(compare(expect, factor_of_safety(safety_rows(*safety, runs))));
+      continue;
+    }
     if (expect.reduction == "rate") {
       rows.push_back(compare(expect, expected_rate(expect, runs)));
       if (!expect.with.empty()) rows.back().quantity += " (" + parameters_text(expect.with) + ")";

@@ -25,6 +25,7 @@ struct FinishedRun {
   double end_time = 0.0;  ///< reached
   std::map<std::string, ProbeRecord> probes;
   std::vector<std::pair<std::string, double>> parameters;  ///< of the study: key path and value
+  double stage_begin = 0.0;                                ///< when the last stage began that was reached
 };
 
 /// Which rows are asked for.
@@ -51,7 +52,8 @@ ExpectSummary compare(const ExpectCase& expect, double computed);
 std::vector<ExpectSummary> check_expects(const std::vector<ExpectCase>& expects, const FinishedRun& run, Tier tier);
 
 /// All rows of a study: one a matching run (its parameters in the name of the quantity), and one for each rate.
-std::vector<ExpectSummary> check_study(const std::vector<ExpectCase>& expects, std::span<const FinishedRun> runs, Tier tier);
+std::vector<ExpectSummary> check_study(const std::vector<ExpectCase>& expects, std::span<const FinishedRun> runs, Tier tier,
+                                       const std::optional<SafetyCase>& safety = {});
 
 /// "parameters.n = 4, solver.cfl = 0.3".
 std::string parameters_text(const std::vector<std::pair<std::string, double>>& parameters);

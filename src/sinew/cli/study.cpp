@@ -4,6 +4,7 @@
 #include <sinew/cli/interruption.hpp>
 #include <sinew/cli/number_format.hpp>
 #include <sinew/cli/run.hpp>
+#include <sinew/cli/safety.hpp>
 #include <sinew/cli/version.hpp>
 #include <sinew/io/file.hpp>
 #include <sinew/io/write_toml.hpp>
@@ -146,8 +147,12 @@ int run_study(const CaseInput& input, const Case& c, const RunPlan& plan) {
   if (comm.any(interruption_requested()))
     total.status = "interrupted";
   else
-    total.expect = check_study(c.expects, finished, plan.control.tier);
+    total.expect = check_study(c.expects, finished, plan.control.tier, c.study.safety);
   comm.on_root([&] { write_summary(folder.summary(), total); });
+  if (c.study.safety) {
+    reporter->say(safety_text(*c.study.safety, safety_rows(*c.study.safety, finished)));
+    comm.on_root([&] { write_atomically(folder.file("safety.csv"), safety_curves(*c.study.safety, finished)); });
+  }
   say_study_end(*reporter, total, summaries.size(), folder.path());
   return exit_code(total.status);
 }

@@ -34,6 +34,25 @@ StoredEnergy Formulation<D>::stored_energy() const {
   return {sums[0], sums[1], sums[2], sums[3]};
 }
 
+/// F = I, no plastic strain, no work. These two are the first numbers of every history.
+template <int D>
+void Formulation<D>::settle_histories(const std::vector<AnyMaterial>& materials) {
+  for (int b = 0; b < pairs_.blocks.count(); ++b) {
+    const Block& block = pairs_.blocks.all[b];
+    const MaterialPoint<D> point = material_point<D>(materials[block.body], nullptr, false);
+    if (point.numbers == 0) continue;
+    const HistorySlots slots = history_.of(b);
+    for (int slice = block.first_slice; slice < block.end_slice; ++slice) {
+      const Mat<Pack, D> I = Mat<Pack, D>::identity();
+      Mat<Pack, D> shapeless = I;
+      const SliceHistory<D> history{slots, SliceSlots<D>(pairs_, block, slice), {0.0, HistoryUse::forget}, nullptr, &shapeless};
+      PointResponse<D> response;
+      point(I, &history, response);
+    }
+    std::fill_n(slots.values, 2 * static_cast<std::ptrdiff_t>(slots.count), 0.0);
+  }
+}
+
 template <int D>
 std::vector<int> history_numbers(const std::vector<AnyMaterial>& materials, const std::vector<std::optional<AnyDamage>>& damages,
                                  bool plane_stress) {

@@ -89,6 +89,8 @@ class Formulation {
   virtual void begin(Particles<D>& particles) = 0;
   /// Whether the rates at the start need an evaluation of their own, once prescribed velocities are known.
   virtual bool needs_first_rates() const { return false; }
+  /// Takes the particles, which have been put back to their first places, as without strain; stresses stay. For materials that are written in rates.
+  virtual void settle(Particles<D>& particles) = 0;
   /// For integrators of several stages: what is integrated beside the displacements, see RungeKutta3.
   virtual void begin_stages() {}
   virtual void advance_stage(double /*begin*/, double /*rest*/, double /*dt*/) {}
@@ -143,6 +145,8 @@ class Formulation {
         history_(std::move(history)),
         summaries_(pairs_.blocks.all.size()),
         thickness_(thickness) {}
+
+  void settle_histories(const std::vector<AnyMaterial>& materials);
 
   Comm comm_;
   Halo halo_;

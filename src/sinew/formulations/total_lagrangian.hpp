@@ -101,6 +101,7 @@ class TotalLagrangian final : public Formulation<D> {
 
   /// Gradients that are integrated in time (DeformationGradient::rate) begin as those of the current displacements.
   void begin(Particles<D>& particles) override;
+  void settle(Particles<D>&) override { this->settle_histories(options_.materials); }
   bool needs_first_rates() const override { return !matrices_.rate.empty(); }
   void begin_stages() override { matrices_.remember(); }
   void advance_stage(double begin, double rest, double dt) override { matrices_.advance(begin, rest, dt); }

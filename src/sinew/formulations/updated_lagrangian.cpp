@@ -71,6 +71,13 @@ void UpdatedLagrangian<D>::begin(Particles<D>& particles) {
 }
 
 template <int D>
+void UpdatedLagrangian<D>::settle(Particles<D>& particles) {
+  this->settle_histories(options_.materials);
+  begin(particles);
+  listed_ = false;
+}
+
+template <int D>
 FieldsToSave<D> UpdatedLagrangian<D>::fields_to_save() {
   FieldsToSave<D> fields{{{"skin", &skin_}, {"steps_of_list", &steps_of_list_}},
                          {{"listed_at", &listed_at_}},

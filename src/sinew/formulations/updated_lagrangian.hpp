@@ -53,6 +53,7 @@ class UpdatedLagrangian final : public Formulation<D> {
                                RecordedState* record = nullptr) override;
   ForceSummary record(Particles<D>& particles, RecordedState& state) override;
   void begin(Particles<D>& particles) override;
+  void settle(Particles<D>& particles) override;
   FieldsToSave<D> fields_to_save() override;
   void restored(Particles<D>& particles) override;
 

@@ -110,9 +110,14 @@ struct RateForm {
     return {T(0.0), T(elastic.lambda() + 2.0 * elastic.mu()) * determinant(F) + T(2.0) * sqrt(double_dot(tau, tau))};
   }
 
+  /// Where it has flowed, the hourglass stiffness may be no more than that of the flow, as with metals: Ganzenmueller (2015), sec. 4.5. Never quite nothing, so that what is left of it in a step
+  /// is a number.
   template <class M>
-  SINEW_INLINE ScalarOf<M> hourglass_modulus(const History<M>&) const {
-    return elastic.youngs_modulus;
+  SINEW_INLINE ScalarOf<M> hourglass_modulus(const History<M>& history) const {
+    using T = ScalarOf<M>;
+    constexpr double least = 1e-6;
+    const T E(elastic.youngs_modulus);
+    return select(history.strain > T(0.0), max(min(law.flow_stress(history.stress), E), T(least) * E), E);
   }
   template <class M>
   SINEW_INLINE ScalarOf<M> temperature(const History<M>&) const {

@@ -10,7 +10,7 @@ namespace sinew {
 const std::vector<std::string>& top_level_keys() {
   static const std::vector<std::string> keys{"case",    "parameters", "body",       "material", "formulation", "region",
                                              "initial", "boundary",   "body_force", "contact",  "wall",        "solver",
-                                             "output",  "probe",      "expect",     "study"};
+                                             "stage",   "output",     "probe",      "expect",   "study"};
   return keys;
 }
 
@@ -64,6 +64,7 @@ Case make_case(const Node& root, const std::string& folder) {
   read_regions(reader);
   read_conditions(reader);
   read_contacts(reader);
+  read_stages(reader);
   read_solver_and_output(reader);
   read_probes(reader);
   read_study_and_expects(reader);
@@ -93,6 +94,7 @@ std::vector<std::pair<std::string, std::vector<ParameterDoc>>> case_sections() {
           {"[[contact]]", contact_docs()},
           {"[[wall]]", parameter_docs<WallCase>()},
           {"[solver]", parameter_docs<SolverCase>()},
+          {"[[stage]]", parameter_docs<StageCase>()},
           {"[output]", parameter_docs<OutputCase>()},
           {"[[probe]]", parameter_docs<ProbeCase>()},
           {"[[expect]]", parameter_docs<ExpectCase>()},

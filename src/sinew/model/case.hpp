@@ -15,6 +15,7 @@
 #include <sinew/model/formulation_case.hpp>
 #include <sinew/model/plane_state.hpp>
 #include <sinew/model/registered_reader.hpp>
+#include <sinew/model/stage_case.hpp>
 #include <string>
 #include <utility>
 #include <vector>
@@ -234,7 +235,8 @@ struct Case {
   std::array<Expression, 3> body_force;  ///< acceleration
   std::vector<ContactCase> contacts;
   std::vector<WallCase> walls;
-  SolverCase solver;
+  SolverCase solver;              ///< with stages, end_time is the sum of their durations
+  std::vector<StageCase> stages;  ///< empty: the whole run is one
   OutputCase output;
   std::vector<ProbeCase> probes;
   std::vector<ExpectCase> expects;

@@ -5,6 +5,7 @@
 #include <sinew/core/error.hpp>
 #include <sinew/core/params.hpp>
 #include <sinew/model/field_options.hpp>
+#include <sinew/model/field_reader.hpp>
 #include <string>
 #include <utility>
 #include <vector>
@@ -41,11 +42,39 @@ struct ExpectCase {
 };
 
 /// [study]
+/// [study] safety: which of the runs of a strength reduction fail
+struct SafetyCase {
+  std::string probe;
+  double last = 0.25, share = 0.1;
+
+  static void describe(auto&& field, auto& m) {
+    constexpr Range part{0.0, 1.0, true, true, "between 0 and 1"};
+    field("probe", m.probe, no_unit, "Name of the probe that follows the largest displacement.");
+    field("last", m.last, no_unit, "Which last part of the run, or of its last stage, is looked at.", part, optional);
+    field("share", m.share, no_unit,
+          "A run whose probe grows in that part by more than this share of all of its growth in the run or stage fails.", part,
+          optional);
+  }
+};
+template <>
+struct TypeName<SafetyCase> {
+  static constexpr const char* text = "table { probe, last, share }";
+};
+inline Node read_value(SafetyCase& value, const Node& node, const FieldSpec& spec, const Reading& reading) {
+  if (!node.is(Node::Kind::table)) spec.wrong_kind(node, "a table such as { probe = \"largest\" }");
+  return read_described(value, node, spec.label(), reading);
+}
+
 struct StudyCase {
   std::vector<std::pair<std::string, std::vector<double>>> vary;  ///< key path -> values; all combinations are run
+  std::optional<SafetyCase> safety;
 
   static void describe(auto&& field, auto& m) {
     field("vary", m.vary, any_unit, "Key paths and their values; all combinations are run.");
+    field("safety", m.safety, no_unit,
+          "The one key that is varied reduces the strength; the study finds the factor of safety, the least value with which the "
+          "run fails.",
+          optional);
   }
 };
 

@@ -18,6 +18,7 @@ void read_formulation(CaseReader& reader);
 void read_regions(CaseReader& reader);
 void read_conditions(CaseReader& reader);  ///< [[initial]], [[boundary]], [body_force]
 void read_contacts(CaseReader& reader);    ///< [[wall]]
+void read_stages(CaseReader& reader);      ///< [[stage]]
 void read_solver_and_output(CaseReader& reader);
 void read_probes(CaseReader& reader);
 void read_study_and_expects(CaseReader& reader);

@@ -18,6 +18,11 @@ const std::vector<std::string>& reductions() {
 void parse_quantity(const CaseReader& reader, ExpectCase& expect, const Node& node, const std::string& owner) {
   const std::string& text = expect.quantity;
   if (text == "status" || text == "end_time") return;  // of the run itself
+  if (text == "safety_factor") {
+    if (!reader.result.study.safety)
+      throw CaseError(node.place, owner + ": safety_factor needs a [study] with safety = { probe = ... }");
+    return;
+  }
   const std::size_t dot = text.find('.', 6);
   if (!text.starts_with("probe.") || dot == std::string::npos)
     throw CaseError(node.place, owner + ": quantity must look like probe.NAME.final, found \"" + text + "\"");
@@ -67,6 +72,18 @@ void check_study_keys(const CaseReader& reader, const ExpectCase& expect, const 
       throw CaseError(entry.find("with")->place, owner + ": with: " + unknown_name_message("key", path, varied));
 }
 
+void check_safety(const CaseReader& reader, const Node& table) {
+  const StudyCase& study = reader.result.study;
+  std::vector<std::string> probes;
+  for (const ProbeCase& probe : reader.result.probes) probes.push_back(probe.name);
+  const Node& safety = *table.find("safety");
+  if (std::find(probes.begin(), probes.end(), study.safety->probe) == probes.end())
+    throw CaseError(safety.find("probe")->place,
+                    "[study]: safety: " + unknown_name_message("probe", study.safety->probe, probes));
+  if (study.vary.size() != 1)
+    throw CaseError(safety.place, "[study]: safety: vary must have one key, the factor that reduces the strength");
+}
+
 void read_study(CaseReader& reader) {
   if (!reader.root.find("study")) return;
   const Node table = section_table(reader, "study");
@@ -84,6 +101,7 @@ void read_study(CaseReader& reader) {
       throw CaseError(member.place, std::string("[study]: vary: ") + error.what());
     }
   }
+  if (study.safety) check_safety(reader, table);
   add_resolved(reader, "study", std::move(resolved));
 }
 

@@ -11,6 +11,10 @@ constexpr const char* no_end = "[solver]: \"end_time\" is missing. Give the time
 /// end_time comes first, since the other keys may use it.
 void define_end_time(CaseReader& reader, const Node& table) {
   const Node* node = table.find("end_time");
+  if (!reader.result.stages.empty()) {
+    if (node) throw CaseError(node->place, "[solver]: with [[stage]] the run ends with the last stage; leave end_time out");
+    reader.reading.constants["end_time"] = reader.result.stages.back().end;
+  }
   if (!node) return;
   FieldSpec spec;
   spec.owner = "[solver]";
@@ -24,11 +28,13 @@ void define_end_time(CaseReader& reader, const Node& table) {
 
 void read_solver_and_output(CaseReader& reader) {
   const Node table = section_table(reader, "solver");
-  if (!reader.root.find("solver")) throw CaseError(reader.root.place, no_end);
+  const std::vector<StageCase>& stages = reader.result.stages;
+  if (!reader.root.find("solver") && stages.empty()) throw CaseError(reader.root.place, no_end);
   check_keys(table, "[solver]", described_keys<SolverCase>());
   SolverCase& solver = reader.result.solver;
   define_end_time(reader, table);
   Node resolved = read_described(solver, table, "[solver]", reader.reading);
+  if (!stages.empty()) solver.end_time = stages.back().end;
   if (!std::isfinite(solver.end_time) && !solver.max_steps) throw CaseError(table.place, no_end);
   if (solver.integrator == "rk3" && (reader.root.find("contact") || reader.root.find("wall")))
     throw CaseError(table.find("integrator")->place,

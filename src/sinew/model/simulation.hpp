@@ -70,6 +70,12 @@ struct SavedState {
   std::map<std::string, Field> fields;  ///< range.count rows of `width` numbers each
 };
 
+/// How one simulation follows another.
+struct Handover {
+  double balance_error = 0.0;  ///< of the energies of the one before
+  bool settled = false;        ///< only stresses go on, with the particles at rest where they first were
+};
+
 /// Where ranks share a case, every call that is not const is collective, and so is state_hash(). All ranks get the same answers, but for what has a value for each
 /// particle.
 class Simulation {
@@ -80,6 +86,8 @@ class Simulation {
 
   virtual const ModelFacts& facts() const = 0;
   virtual double time() const = 0;
+  virtual double end_time() const = 0;              ///< as far as it is known
+  virtual std::string stage() const { return ""; }  ///< name of the present one; empty if there are none
   virtual long steps() const = 0;
   virtual double stable_time_step() const = 0;  ///< for the next step
   /// One step of min(stable_time_step(), most). Throws SimulationError when the state is no longer usable: time, particle, cause.
@@ -90,6 +98,8 @@ class Simulation {
   // What follows costs about one step for a state when first asked; then it is kept until the next step.
   virtual Energies energies() = 0;
   virtual Momenta momenta() = 0;
+  /// Sum of mass times acceleration, over the weight of all particles: what is missing to balance. Infinity without a constant body force.
+  virtual double imbalance() = 0;
   virtual bool probes_need_record() const = 0;     ///< of F or stresses, see expect_record
   virtual std::vector<double> probe_values() = 0;  ///< of Case::probes, in order
   virtual std::vector<std::string> probe_units() const = 0;
@@ -102,6 +112,8 @@ class Simulation {
   virtual std::string state_hash() const = 0;  ///< of positions and velocities of all particles, by their numbers
   virtual SavedState save() = 0;
   virtual void restore(const SavedState& state) = 0;
+  /// Goes on from the last state of another simulation of the same bodies, with the conditions and materials of this one.
+  virtual void take_over(SavedState state, const Handover& handover) = 0;
   /// What so many ranks would have to do and to send, counted for a process alone.
   virtual RanksPlan plan(int ranks) const = 0;
   virtual std::map<std::string, double> pass_seconds() const = 0;  ///< wall time of the passes of all steps so far

@@ -1,4 +1,5 @@
 #include <sinew/model/solid_simulation.hpp>
+#include <sinew/model/staged_simulation.hpp>
 
 #include <fmt/format.h>
 
@@ -175,17 +176,6 @@ void SolidSimulation<D>::mind_arrangement() {
   recorded_step_ = -1;
 }
 
-/// Formulas of conditions may fail where they are evaluated, on the ranks that have those particles. These go on to where all can be told.
-template <int D>
-template <class Action>
-void SolidSimulation<D>::guard(Action&& action) {
-  try {
-    action();
-  } catch (...) {
-    if (!error_) error_ = std::current_exception();
-  }
-}
-
 /// What steers the run is the largest of all ranks.
 template <int D>
 void SolidSimulation<D>::share_limits() {
@@ -239,6 +229,7 @@ template class SolidSimulation<2>;
 template class SolidSimulation<3>;
 
 std::unique_ptr<Simulation> Simulation::build(const Case& c, const Comm& comm) {
+  if (!c.stages.empty()) return std::make_unique<StagedSimulation>(c, comm);
   if (c.general.dimension == 2) return std::make_unique<SolidSimulation<2>>(c, comm);
   return std::make_unique<SolidSimulation<3>>(c, comm);
 }

@@ -32,6 +32,7 @@ class SolidSimulation final : public Simulation {
 
   const ModelFacts& facts() const override { return facts_; }
   double time() const override { return time_; }
+  double end_time() const override { return case_.solver.end_time; }
   long steps() const override { return steps_; }
   double stable_time_step() const override { return step_size_(summary_, contact_); }
   void step(double most) override;
@@ -39,6 +40,7 @@ class SolidSimulation final : public Simulation {
 
   Energies energies() override;
   Momenta momenta() override { return totals().momenta; }
+  double imbalance() override;
   bool probes_need_record() const override { return probes_.need_record(); }
   std::vector<double> probe_values() override;
   std::vector<std::string> probe_units() const override { return probes_.units(); }
@@ -48,6 +50,7 @@ class SolidSimulation final : public Simulation {
   std::string state_hash() const override;
   SavedState save() override;
   void restore(const SavedState& state) override;
+  void take_over(SavedState state, const Handover& handover) override;
   RanksPlan plan(int ranks) const override { return plan_for(solid_->pairs(), ranks); }
   std::map<std::string, double> pass_seconds() const override;
 
@@ -75,8 +78,15 @@ class SolidSimulation final : public Simulation {
   const StoredEnergy& stored_energy();
   void describe(Snapshot& snapshot) const;
   void share_limits();
+  /// Formulas of conditions may fail where they are evaluated, on the ranks that have those particles. These go on to where all can be told.
   template <class Action>
-  void guard(Action&& action);
+  void guard(Action&& action) {
+    try {
+      action();
+    } catch (...) {
+      if (!error_) error_ = std::current_exception();
+    }
+  }
   void collect_bodies(const std::vector<GeneratedBody>& bodies);
   void collect_ranks();
   void warn_of_supersonic_motion();

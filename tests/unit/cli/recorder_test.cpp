@@ -15,12 +15,14 @@ class FakeSimulation final : public Simulation {
   explicit FakeSimulation(double time_step_) : time_step(time_step_) {}
   const ModelFacts& facts() const override { return facts_; }
   double time() const override { return static_cast<double>(steps_) * time_step; }
+  double end_time() const override { return 1.0; }
   long steps() const override { return steps_; }
   double stable_time_step() const override { return time_step; }
   void step(double) override { ++steps_; }
   void expect_record() override {}
   Energies energies() override { return {1.0, 0.5, 0.0, 0.0, 0.0, 1.0}; }
   Momenta momenta() override { return {}; }
+  double imbalance() override { return 0.0; }
   bool probes_need_record() const override { return false; }
   std::vector<double> probe_values() override { return {time() * time()}; }
   std::vector<std::string> probe_units() const override { return {"m"}; }
@@ -30,6 +32,7 @@ class FakeSimulation final : public Simulation {
   RanksPlan plan(int) const override { return {}; }
   SavedState save() override { return {time(), steps_, {}, {}, {}, {}}; }
   void restore(const SavedState& state) override { steps_ = state.step; }
+  void take_over(SavedState state, const Handover&) override { steps_ = state.step; }
   std::map<std::string, double> pass_seconds() const override { return {}; }
 
  private:

@@ -62,6 +62,13 @@ struct DruckerPrager {
             T(std::sqrt(1.0 / 3.0 + 2.0 / 9.0 * k_psi * k_psi)) * l + T(std::numbers::sqrt2 / 3.0) * opening,
             l * (shear - T(k_psi) * pressure) - opening * cut_off};
   }
+
+  template <class M>
+  SINEW_INLINE ScalarOf<M> flow_stress(const M& stress) const {
+    using T = ScalarOf<M>;
+    const T pressure = T(-1.0 / 3.0) * trace(stress);
+    return T(std::numbers::sqrt3) * max(T(slope(friction_angle)) * pressure + T(strength()), T(0.0));
+  }
 };
 
 }  // namespace sinew

@@ -16,6 +16,10 @@ struct ElasticRate {
   SINEW_INLINE Flowed<M> flow(const M& trial, const ElasticConstants&, double) const {
     return {trial};
   }
+  template <class M>
+  SINEW_INLINE ScalarOf<M> flow_stress(const M&) const {
+    return infinity;
+  }
 };
 
 }  // namespace sinew

@@ -43,6 +43,12 @@ struct MuIRheology {
     return {(shear / at.shear) * at.deviator - pressure * M::identity(),
             T(std::sqrt(1.0 / 3.0)) * l + T(std::sqrt(2.0) / 3.0) * opening, l * shear};
   }
+
+  template <class M>
+  SINEW_INLINE ScalarOf<M> flow_stress(const M& stress) const {
+    using T = ScalarOf<M>;
+    return T(static_friction * std::sqrt(3.0)) * max(T(-1.0 / 3.0) * trace(stress), T(0.0));
+  }
 };
 
 }  // namespace sinew

@@ -5,6 +5,7 @@
 ///       static constexpr std::string_view name, summary, source;
 ///       static void describe(auto&& field, auto& m);
 ///       template <class M> Flowed<M> flow(const M& trial, const ElasticConstants& elastic, double dt) const;
+///       template <class M> ScalarOf<M> flow_stress(const M& stress) const;   // size sqrt(3 J2) of the deviator with which slow flow goes on at this pressure [Pa]
 ///     };
 ///
 /// `trial`: the Cauchy stress if nothing flowed in this step [Pa].
