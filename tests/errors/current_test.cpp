@@ -32,6 +32,16 @@ static const std::vector<WrongCase> wrong_on_current{
      "out"},
     {"LinearOnCurrent", original, current + "correction = \"linear\"\n",
      "case.toml:20:14: [formulation]: \"updated_lagrangian\" knows the corrections \"none\" and \"gradient\""},
+    {"WallOnReference", "velocity = [0, 0, 0]", "wall = \"no_slip\"",
+     "case.toml:27:8: boundary 1: walls of particles belong to model = \"updated_lagrangian\"; with \"total_lagrangian\" "
+     "prescribe "
+     "the displacement, or its normal component, of particles of the body"},
+    {"UnknownWall", "velocity = [0, 0, 0]", "wall = \"noslip\"",
+     "case.toml:27:8: boundary 1: wall: unknown name \"noslip\". Did you mean \"no_slip\"?..."},
+    {"SmoothWallWithoutNormal", "velocity = [0, 0, 0]", "wall = \"free_slip\"",
+     "case.toml:27:8: boundary 1: free_slip needs the normal of the wall, normal = [...]"},
+    {"RoughWallWithNormal", "velocity = [0, 0, 0]", "wall = \"no_slip\"\nnormal = [0, 0, 1]",
+     "case.toml:28:10: boundary 1: a wall with no_slip has no normal"},
     {"UpdateOnCurrent", original, current + "reference_update = { threshold = 2 }\n",
      "case.toml:20:20: [formulation]: reference_update belongs to model = \"total_lagrangian\"; \"updated_lagrangian\" has no "
      "reference"},

@@ -42,9 +42,9 @@ CatalogKind boundaries() {
   const auto parameter = [&](const std::string& name) {
     return std::find_if(docs.begin(), docs.end(), [&](const ParameterDoc& doc) { return doc.name == name; });
   };
-  for (const std::string name : {"displacement", "velocity", "force", "traction", "pressure"}) {
+  for (const std::string name : {"displacement", "velocity", "force", "traction", "pressure", "wall"}) {
     CatalogEntry entry{name, parameter(name)->sentence, "", {*parameter(name)}};
-    if (name == "pressure") entry.parameters.push_back(*parameter("normal"));
+    if (name == "pressure" || name == "wall") entry.parameters.push_back(*parameter("normal"));
     if (name == "pressure" || name == "traction") entry.parameters.push_back(*parameter("area"));
     kind.entries.push_back(std::move(entry));
   }

@@ -18,10 +18,15 @@ SafetyRow row_of(const SafetyCase& safety, const FinishedRun& run) {
     return row;
   }
   const Samples& samples = probe->second.samples;
+  const auto begin = std::lower_bound(samples.time.begin(), samples.time.end(), row.begin) - samples.time.begin();
   const double end = samples.time.back(), last = end - safety.last * (end - row.begin);
-  row.growth = samples.value.back() - value_at(samples, row.begin);
-  const double in_last_part = samples.value.back() - value_at(samples, last);
-  row.share = row.growth > 0.0 ? in_last_part / row.growth : 0.0;
+  double before = samples.value[begin], most = before;
+  for (auto k = static_cast<std::size_t>(begin); k < samples.time.size(); ++k) {
+    most = std::max(most, samples.value[k]);
+    if (samples.time[k] <= last) before = most;
+  }
+  row.growth = most - samples.value[begin];
+  row.share = row.growth > 0.0 ? (most - before) / row.growth : 0.0;
   row.fails = row.share > safety.share;
   return row;
 }

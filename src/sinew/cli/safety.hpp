@@ -9,7 +9,7 @@ namespace sinew {
 struct SafetyRow {
   double factor = 0.0;
   double begin = 0.0;   ///< from where on it is looked at: of the last stage [time]
-  double growth = 0.0;  ///< of the probe since then
+  double growth = 0.0;  ///< of the largest value of the probe since then, so that swinging does not count
   double share = 0.0;   ///< of that, in the last part
   bool completed = false;
   bool fails = false;  ///< it goes on growing, or the run has ended early

@@ -166,6 +166,7 @@ void UpdatedLagrangian<D>::make_list(const Particles<D>& particles, const Vector
       neighbors_.build(places_, numbers_, particles.slots, reach, MovingGrid<D>(reach, boxes.low(), boxes.high(), all));
     });
   }
+  if (walls_.any()) walls_.find_pairs(neighbors_, numbers_);
   make_rows();
   listed_ = true;
   ++lists_made_;

@@ -14,6 +14,7 @@
 #include <sinew/formulations/formulation.hpp>
 #include <sinew/formulations/moving_sweeps.hpp>
 #include <sinew/formulations/updated_point.hpp>
+#include <sinew/formulations/wall_particles.hpp>
 #include <sinew/parallel/near_points.hpp>
 
 namespace sinew {
@@ -49,6 +50,9 @@ class UpdatedLagrangian final : public Formulation<D> {
   UpdatedLagrangian(const Particles<D>& particles, BlockPairs<D> pairs, UpdatedLagrangianOptions options, const Comm& comm,
                     Halo halo);
 
+  /// Some particles are walls from now on. Not with corrected gradients.
+  void stand_before(WallTable<D> walls);
+
   ForceSummary internal_forces(Particles<D>& particles, VectorField<D>& forces, PointStep step, Finish finish,
                                RecordedState* record = nullptr) override;
   ForceSummary record(Particles<D>& particles, RecordedState& state) override;
@@ -80,6 +84,7 @@ class UpdatedLagrangian final : public Formulation<D> {
   void make_room(const Particles<D>& particles, int points);
   void show_motion(const Particles<D>& particles);
   void find_velocity_gradients(double dt);
+  MovingPoints<D> points() const { return {options_.kernel, options_.radius, numbers_, motion_, mass_}; }
   ForceSummary update_block(int block, const Particles<D>& particles, PointStep step, RecordedState* record);
   void update_slice(int block, const SliceSlots<D>& slots, const Particles<D>& particles, PointStep step, RecordedState* record,
                     UpdateSums& sums);
@@ -87,7 +92,10 @@ class UpdatedLagrangian final : public Formulation<D> {
   void keep_record(const SliceSlots<D>& slots, const Mat<Pack, D>& F, const PointResponse<D>& point, RecordedState& state) const;
   void show_stress();
   RepulsionRange repulsion_range() const;
-  void add_pair_forces(VectorField<D>& forces, double dt);
+  GradientSweep<D> gradient_sweep(const MovingNeighbors<D>& neighbors, double dt, MatrixField<D>& gradient);
+  ForceSweep<D> force_sweep(const MovingNeighbors<D>& neighbors, double dt, VectorField<D>& forces);
+  void mind_walls_in_gradients(double dt);
+  void mind_walls_in_forces(double dt, VectorField<D>& forces);
   Pack hold_shear(const SliceSlots<D>& slots, const Particles<D>& particles, VectorField<D>& forces, double dt);
   void complete_block(int block, const Particles<D>& particles, VectorField<D>& forces, double dt);
   template <class Work>
@@ -126,6 +134,10 @@ class UpdatedLagrangian final : public Formulation<D> {
   AlignedArray<double> left_, viscous_power_, viscous_rate_, repulsive_power_;
   AlignedArray<double> inverse_length2_;  ///< 1 / V^(2/D), 0 for padding
   AlignedArray<double> speed2_;           ///< squared wave speed in the reference frame
+  WallParticles<D> walls_;
+  MatrixField<D> slip_gradient_;  ///< scratch, of pairs with smooth walls, like the next two
+  VectorField<D> slip_force_;
+  AlignedArray<double> slip_power_;
   std::vector<ForceSummary> recorded_;
   std::vector<double> farthest2_;
 };

@@ -64,19 +64,29 @@ void UpdatedLagrangian<D>::show_motion(const Particles<D>& particles) {
 
 template <int D>
 void UpdatedLagrangian<D>::find_velocity_gradients(double dt) {
-  sweep_velocity_gradients<D>({{neighbors_, options_.kernel, options_.radius, motion_rows_.data()},
-                               0.5 * dt,
-                               options_.corrected,
-                               options_.pressure_only(),
-                               gradient_,
-                               correction_,
-                               pull_});
+  sweep_velocity_gradients<D>(gradient_sweep(neighbors_, dt, gradient_));
+  if (walls_.any()) mind_walls_in_gradients(dt);
+}
+
+template <int D>
+GradientSweep<D> UpdatedLagrangian<D>::gradient_sweep(const MovingNeighbors<D>& neighbors, double dt, MatrixField<D>& gradient) {
+  return {{neighbors, options_.kernel, options_.radius, motion_rows_.data()},
+          0.5 * dt,
+          options_.corrected,
+          options_.pressure_only(),
+          gradient,
+          correction_,
+          pull_};
 }
 
 /// Stresses to where the second sweep finds them.
 template <int D>
 void UpdatedLagrangian<D>::show_stress() {
   bring_copies(stress_exchange_, stress_);
+  if (walls_.any()) {
+    walls_.extrapolate(points(), stress_);
+    bring_copies(stress_exchange_, stress_);
+  }
   if (options_.repels()) bring_copies(repulsion_exchange_, repulsion_);
   if (options_.explains()) bring_copies(explained_exchange_, explained_);
   constexpr int upper[] = {0, D + 1, D == 3 ? 8 : 1, D == 3 ? 1 : 4, 5, 2, 9}, lower[] = {D, 7, 6};  // components of the rows
@@ -103,24 +113,24 @@ RepulsionRange UpdatedLagrangian<D>::repulsion_range() const {
 }
 
 template <int D>
-void UpdatedLagrangian<D>::add_pair_forces(VectorField<D>& forces, double dt) {
+ForceSweep<D> UpdatedLagrangian<D>::force_sweep(const MovingNeighbors<D>& neighbors, double dt, VectorField<D>& forces) {
   const double customary = std::visit([](const auto& kernel) { return kernel.customary_h; }, options_.kernel);
-  sweep_moving_forces<D>({{neighbors_, options_.kernel, options_.radius, motion_rows_.data()},
-                          stress_rows_.data(),
-                          rest_rows_.data(),
-                          options_.corrected,
-                          options_.repels(),
-                          options_.explains(),
-                          repulsion_range(),
-                          options_.viscosity ? &*options_.viscosity : nullptr,
-                          options_.radius / customary,
-                          0.5 * dt,
-                          thickness_,
-                          forces,
-                          pull_,
-                          viscous_power_.data(),
-                          viscous_rate_.data(),
-                          repulsive_power_.data()});
+  return {{neighbors, options_.kernel, options_.radius, motion_rows_.data()},
+          stress_rows_.data(),
+          rest_rows_.data(),
+          options_.corrected,
+          options_.repels(),
+          options_.explains(),
+          repulsion_range(),
+          options_.viscosity ? &*options_.viscosity : nullptr,
+          options_.radius / customary,
+          0.5 * dt,
+          thickness_,
+          forces,
+          pull_,
+          viscous_power_.data(),
+          viscous_rate_.data(),
+          repulsive_power_.data()};
 }
 
 /// The force of NonNestedShear turns with the material, fades as it flows, and grows. Returns the work that it has taken in the step of the leapfrog.
@@ -177,7 +187,8 @@ ForceSummary UpdatedLagrangian<D>::internal_forces(Particles<D>& particles, Vect
   find_velocity_gradients(step.dt);
   of_all_blocks([&](int b) { summaries_[b] = update_block(b, particles, step, record); });
   show_stress();
-  add_pair_forces(forces, step.dt);
+  sweep_moving_forces<D>(force_sweep(neighbors_, step.dt, forces));
+  if (walls_.any()) mind_walls_in_forces(step.dt, forces);
   of_all_blocks([&](int b) {
     complete_block(b, particles, forces, step.dt);
     finish(pairs_.blocks.all[b].begin, pairs_.blocks.all[b].end);
@@ -197,7 +208,8 @@ ForceSummary UpdatedLagrangian<D>::record(Particles<D>& particles, RecordedState
   template void UpdatedLagrangian<D>::find_velocity_gradients(double);                                                \
   template void UpdatedLagrangian<D>::show_stress();                                                                  \
   template RepulsionRange UpdatedLagrangian<D>::repulsion_range() const;                                              \
-  template void UpdatedLagrangian<D>::add_pair_forces(VectorField<D>&, double);                                       \
+  template GradientSweep<D> UpdatedLagrangian<D>::gradient_sweep(const MovingNeighbors<D>&, double, MatrixField<D>&); \
+  template ForceSweep<D> UpdatedLagrangian<D>::force_sweep(const MovingNeighbors<D>&, double, VectorField<D>&);       \
   template Pack UpdatedLagrangian<D>::hold_shear(const SliceSlots<D>&, const Particles<D>&, VectorField<D>&, double); \
   template void UpdatedLagrangian<D>::complete_block(int, const Particles<D>&, VectorField<D>&, double);              \
   template ForceSummary UpdatedLagrangian<D>::internal_forces(Particles<D>&, VectorField<D>&, PointStep, Finish,      \

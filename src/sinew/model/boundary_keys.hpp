@@ -11,6 +11,7 @@ struct BoundaryKeys {
   std::optional<FreeVector> displacement, velocity;
   std::optional<std::array<Expression, 3>> force, traction;
   std::optional<Expression> pressure;
+  std::optional<std::string> wall;
   std::optional<Point> normal;
   std::optional<double> area;
   Place place;
@@ -22,7 +23,13 @@ struct BoundaryKeys {
     field("force", m.force, "N", "Total force, shared by the particles of the region.", optional);
     field("traction", m.traction, "Pa", "Force per reference area.", optional);
     field("pressure", m.pressure, "Pa", "Pressure on the reference surface (a dead load), positive when it pushes.", optional);
-    field("normal", m.normal, no_unit, "For pressure: outward normal before deformation; by default from the particles.",
+    field("wall", m.wall, no_unit,
+          "The particles are a wall, which stands still unless a later entry moves it: no_slip, rough; free_slip, smooth. On the "
+          "current "
+          "configuration.",
+          optional, OneOf{{"no_slip", "free_slip"}});
+    field("normal", m.normal, no_unit,
+          "For pressure: outward normal before deformation; by default from the particles. For free_slip: normal of the wall.",
           optional);
     field("area", m.area, "m^2", "For traction and pressure: total area of the surface; by default one face a particle.",
           positive, optional);

@@ -104,12 +104,12 @@ struct InitialCase {
 
 /// One prescribed quantity on a region. Components that are absent are free (motion) or zero (loads).  [[boundary]]
 struct BoundaryCase {
-  enum class Kind { displacement, velocity, force, traction, pressure };
+  enum class Kind { displacement, velocity, force, traction, pressure, wall };
   std::string region;
   Kind kind = Kind::velocity;
   std::array<std::optional<Expression>, 3> value;  ///< pressure uses value[0]
-  std::optional<Point> normal;                     ///< pressure: outward normal in the reference configuration
-  std::optional<double> area;                      ///< traction, pressure: total area of the region's surface
+  std::optional<Point> normal;  ///< pressure: outward normal in the reference configuration; wall: if it is smooth
+  std::optional<double> area;   ///< traction, pressure: total area of the region's surface
   Place place;
 };
 

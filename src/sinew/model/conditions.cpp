@@ -34,7 +34,8 @@ void check_values(const BoundaryCase& b, const Regions& regions, const Particles
 }
 
 bool is_motion(BoundaryCase::Kind kind) {
-  return kind == BoundaryCase::Kind::displacement || kind == BoundaryCase::Kind::velocity;
+  using Kind = BoundaryCase::Kind;
+  return kind == Kind::displacement || kind == Kind::velocity || kind == Kind::wall;
 }
 
 /// Unit vector away from the neighbors of a particle.
@@ -186,6 +187,28 @@ PrescribedMotion<D> make_prescribed_motion(const Case& c, const Regions& regions
 }
 
 template <int D>
+WallTable<D> make_walls(const Case& c, const Regions& regions, const Particles<D>& particles, const Comm& comm) {
+  WallTable<D> walls;
+  std::vector<int> numbers;
+  for (const BoundaryCase& b : c.boundary) {
+    if (b.kind != BoundaryCase::Kind::wall) continue;
+    WallSurface<D> surface;
+    surface.slips = b.normal.has_value();
+    for (int i = 0; i < D && b.normal; ++i) surface.normal[i] = (*b.normal)[i] / norm(*b.normal);
+    for (const int slot : regions.at(b.region).slots)
+      numbers.insert(numbers.end(), {particles.user_index[slot], static_cast<int>(walls.surfaces.size())});
+    walls.surfaces.push_back(surface);
+  }
+  if (walls.empty()) return walls;
+  numbers = comm.gather_all(numbers);
+  walls.of_number.assign(comm.sum(long{particles.count}), WallTable<D>::none);
+  for (std::size_t k = 0; k < numbers.size(); k += 2)
+    walls.of_number[numbers[k]] = std::max(walls.of_number[numbers[k]], static_cast<signed char>(numbers[k + 1]));
+  walls.gravity = constant_body_force<D>(c);
+  return walls;
+}
+
+template <int D>
 Loads<D> make_loads(const Case& c, const Regions& regions, const Particles<D>& particles, const Formulation<D>& solid,
                     const Comm& comm, std::vector<std::string>& warnings) {
   std::vector<LoadCondition> loads;
@@ -233,6 +256,8 @@ template PrescribedMotion<2> make_prescribed_motion<2>(const Case&, const Region
                                                        std::vector<std::string>&);
 template PrescribedMotion<3> make_prescribed_motion<3>(const Case&, const Regions&, const Particles<3>&, const Comm&,
                                                        std::vector<std::string>&);
+template WallTable<2> make_walls<2>(const Case&, const Regions&, const Particles<2>&, const Comm&);
+template WallTable<3> make_walls<3>(const Case&, const Regions&, const Particles<3>&, const Comm&);
 template Loads<2> make_loads<2>(const Case&, const Regions&, const Particles<2>&, const Formulation<2>&, const Comm&,
                                 std::vector<std::string>&);
 template Loads<3> make_loads<3>(const Case&, const Regions&, const Particles<3>&, const Formulation<3>&, const Comm&,

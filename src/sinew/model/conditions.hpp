@@ -4,6 +4,7 @@
 #include <sinew/formulations/boundary/loads.hpp>
 #include <sinew/formulations/boundary/prescribed_motion.hpp>
 #include <sinew/formulations/formulation.hpp>
+#include <sinew/formulations/wall_particles.hpp>
 #include <sinew/model/case.hpp>
 #include <sinew/model/regions.hpp>
 
@@ -20,6 +21,10 @@ PrescribedMotion<D> make_prescribed_motion(const Case& c, const Regions& regions
 /// The body force, where it is the same everywhere and at all times; otherwise zero, and it is among the loads.
 template <int D>
 Vec<double, D> constant_body_force(const Case& c);
+
+/// Particles that are walls, of all ranks.
+template <int D>
+WallTable<D> make_walls(const Case& c, const Regions& regions, const Particles<D>& particles, const Comm& comm);
 
 /// Forces (shared by volume), tractions and pressures (by area). A particle's own area is one face of its cell, V^((D-1)/D); the normal of a
 /// pressure is the direction away from its neighbors.

@@ -42,8 +42,10 @@ BoundaryCase chosen(const BoundaryKeys& keys, const std::string& owner, int dime
   if (keys.force) choose("force", Kind::force, with_values(*keys.force, dimension));
   if (keys.traction) choose("traction", Kind::traction, with_values(*keys.traction, dimension));
   if (keys.pressure) choose("pressure", Kind::pressure, std::array<std::optional<Expression>, 3>{*keys.pressure});
+  if (keys.wall) choose("wall", Kind::wall, with_values({}, dimension));
   if (given.empty())
-    throw CaseError(keys.place, owner + ": nothing is prescribed; give one of displacement, velocity, force, traction, pressure");
+    throw CaseError(keys.place,
+                    owner + ": nothing is prescribed; give one of displacement, velocity, force, traction, pressure, wall");
   if (given.size() > 1)
     throw CaseError(keys.place,
                     owner + ": \"" + given[0] + "\" and \"" + given[1] + "\" are both given; write one [[boundary]] for each");
@@ -53,11 +55,27 @@ BoundaryCase chosen(const BoundaryKeys& keys, const std::string& owner, int dime
 void check_surface_keys(const BoundaryCase& boundary, const Node& entry, const std::string& owner) {
   const bool pressure = boundary.kind == BoundaryCase::Kind::pressure;
   const bool surface = pressure || boundary.kind == BoundaryCase::Kind::traction;
-  if (boundary.normal && !pressure) throw CaseError(entry.find("normal")->place, owner + ": \"normal\" belongs to pressure only");
+  if (boundary.normal && !pressure && boundary.kind != BoundaryCase::Kind::wall)
+    throw CaseError(entry.find("normal")->place, owner + ": \"normal\" belongs to pressure and wall only");
   if (boundary.area && !surface)
     throw CaseError(entry.find("area")->place, owner + ": \"area\" belongs to traction and pressure only");
   if (boundary.normal && norm(*boundary.normal) == 0.0)
     throw CaseError(entry.find("normal")->place, owner + ": normal must not be the zero vector");
+}
+
+void check_wall(const CaseReader& reader, const BoundaryKeys& keys, const Node& entry, const std::string& owner) {
+  if (!keys.wall) return;
+  const Place& place = entry.find("wall")->place;
+  const bool slips = *keys.wall == "free_slip";
+  if (slips && !keys.normal) throw CaseError(place, owner + ": free_slip needs the normal of the wall, normal = [...]");
+  if (!slips && keys.normal) throw CaseError(entry.find("normal")->place, owner + ": a wall with no_slip has no normal");
+  if (reader.result.formulation.model != "updated_lagrangian")
+    throw CaseError(place,
+                    owner +
+                        ": walls of particles belong to model = \"updated_lagrangian\"; with \"total_lagrangian\" prescribe "
+                        "the displacement, or its normal component, of particles of the body");
+  if (!std::holds_alternative<NoCorrection>(reader.result.formulation.correction))
+    throw CaseError(place, owner + ": walls of particles go with correction = \"none\"");
 }
 
 void read_boundaries(CaseReader& reader) {
@@ -68,6 +86,7 @@ void read_boundaries(CaseReader& reader) {
     resolved.items.push_back(read_with_region(reader, keys, entry, owner));
     BoundaryCase boundary = chosen(keys, owner, reader.reading.dimension);
     check_surface_keys(boundary, entry, owner);
+    check_wall(reader, keys, entry, owner);
     reader.result.boundary.push_back(std::move(boundary));
   }
   add_resolved(reader, "boundary", std::move(resolved));

@@ -1,5 +1,6 @@
 #include <sinew/formulations/total_lagrangian.hpp>
 #include <sinew/formulations/updated_lagrangian.hpp>
+#include <sinew/model/conditions.hpp>
 #include <sinew/model/solid_options.hpp>
 #include <sinew/model/solid_setup.hpp>
 #include <sinew/parallel/decomposition.hpp>
@@ -82,11 +83,19 @@ std::unique_ptr<Formulation<D>> total_lagrangian(const Case& c, const SolidSetup
 }
 
 template <int D>
+std::unique_ptr<Formulation<D>> updated_lagrangian(const Case& c, const SolidSetup<D>& setup, SharedPairs<D> shared,
+                                                   const Comm& comm) {
+  auto solid = std::make_unique<UpdatedLagrangian<D>>(setup.particles, std::move(shared.pairs),
+                                                      updated_lagrangian_options(c, setup.particles.bodies.front().spacing), comm,
+                                                      std::move(shared.halo));
+  solid->stand_before(make_walls(c, setup.regions, setup.particles, comm));
+  return solid;
+}
+
+template <int D>
 SolidSetup<D> complete(const Case& c, SolidSetup<D> setup, const Arrangement<D>& all, SharedPairs<D> shared, const Comm& comm) {
   if (is_updated(c))
-    setup.solid = std::make_unique<UpdatedLagrangian<D>>(setup.particles, std::move(shared.pairs),
-                                                         updated_lagrangian_options(c, setup.particles.bodies.front().spacing),
-                                                         comm, std::move(shared.halo));
+    setup.solid = updated_lagrangian(c, setup, std::move(shared), comm);
   else
     setup.solid = total_lagrangian(c, setup, all, std::move(shared), comm);
   return setup;

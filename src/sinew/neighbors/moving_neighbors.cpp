@@ -178,6 +178,51 @@ void MovingNeighbors<D>::build(const VectorField<D>& positions, std::span<const 
 }
 
 template <int D>
+void MovingNeighbors<D>::take_part(const MovingNeighbors& all, FunctionRef<bool(int, int)> keep) {
+  point_at_ = all.point_at_;
+  room_ = all.room_;
+  own_.clear();
+  own_points_.clear();
+  ends_.clear();
+  hits_.resize(1);
+  std::vector<int>& kept = hits_[0];
+  kept.clear();
+  for (int s = 0; s < all.slices(); ++s) {
+    const MovingSlice slice = all.slice(s);
+    for (int k = 0; k < lanes; ++k) {
+      const std::size_t before = kept.size();
+      for (int n = 0; n < slice.length && slice.own[k] != nobody(); ++n) {
+        const int offset = slice.places[lanes * n + k];
+        if (offset != nobody() && keep(point_at(slice.own[k] / lanes), point_at(offset / lanes))) kept.push_back(offset);
+      }
+      if (kept.size() == before) continue;
+      own_.push_back(slice.own[k]);
+      own_points_.push_back(point_at(slice.own[k] / lanes));
+      ends_.push_back(static_cast<int>(kept.size()));
+    }
+  }
+  pairs_ = static_cast<long>(kept.size());
+  lay_out(kept);
+}
+
+/// Neighbors that stand one after the other into slices.
+template <int D>
+void MovingNeighbors<D>::lay_out(const std::vector<int>& kept) {
+  const std::size_t rows = own_.size();
+  own_.resize(whole_slices(static_cast<int>(rows)), nobody());
+  length_.assign(own_.size() / lanes, 0);
+  const std::size_t entries = own_.size() * room_;
+  if (entry_.size() < entries) entry_ = AlignedArray<int>(entries);
+  std::fill_n(entry_.begin(), entries, nobody());
+  int next = 0;
+  for (std::size_t row = 0; row < rows; ++row) {
+    int* entry = entry_.data() + row / lanes * room_ * lanes + row % lanes;
+    length_[row / lanes] = std::max(length_[row / lanes], ends_[row] - next);
+    for (; next < ends_[row]; ++next, entry += lanes) *entry = kept[next];
+  }
+}
+
+template <int D>
 std::size_t MovingNeighbors<D>::bytes() const {
   return entry_.bytes() + places() * (sizeof(Cell) + sizeof(int) + D * sizeof(double)) + first_.size() * sizeof(int) +
          (own_.size() + length_.size() + cell_.size()) * sizeof(int);

@@ -3,6 +3,7 @@
 /// order of the cells is that of space, and within a cell that of the numbers that points have in the whole case. So the neighbors of a point have one order,
 /// on whatever rank it is found and by however many threads.
 
+#include <sinew/core/function_ref.hpp>
 #include <sinew/core/pack.hpp>
 #include <sinew/neighbors/threads.hpp>
 #include <sinew/particles/vector_field.hpp>
@@ -35,6 +36,9 @@ class MovingNeighbors {
   /// `positions`: of points 0 to `numbers`.size(); those with a negative number are left out. The first `own` of them get neighbors.
   void build(const VectorField<D>& positions, std::span<const int> numbers, int own, double radius, const MovingGrid<D>& grid);
 
+  /// The pairs {point, other} of `all` for which keep(point, other), in the same places.
+  void take_part(const MovingNeighbors& all, FunctionRef<bool(int, int)> keep);
+
   /// Points in spatial order. Place places() is nobody's.
   int places() const { return static_cast<int>(point_at_.size()); }
   int nobody() const { return lanes * places(); }  ///< as in a slice
@@ -44,6 +48,8 @@ class MovingNeighbors {
     return {own_.data() + static_cast<std::ptrdiff_t>(lanes) * s, entry_.data() + static_cast<std::size_t>(s) * room_ * lanes,
             length_[s]};
   }
+  /// Those that have neighbors here, of a part.
+  const std::vector<int>& own_points() const { return own_points_; }
   long pairs() const { return pairs_; }  ///< directed, closer than the radius of the list
   std::size_t bytes() const;
 
@@ -64,16 +70,18 @@ class MovingNeighbors {
   void choose_own(int own);
   bool find_all(double radius);
   int find(int place, double radius2, int* hits) const;
+  void lay_out(const std::vector<int>& kept);
 
   MovingGrid<D> grid_;
   Cell low_{}, cells_{};    ///< first cell, number of cells along each axis
   std::vector<int> cell_;   ///< of each point
   std::vector<int> first_;  ///< first place of each cell
-  std::vector<int> point_at_, own_, length_;
+  std::vector<int> point_at_, own_, length_, own_points_;
   std::vector<double> coordinate_[D];  ///< by place, with room for eight more
   std::vector<Cell> cell_at_;
   AlignedArray<int> entry_;
   std::vector<std::vector<int>> hits_;  ///< scratch, one a thread
+  std::vector<int> ends_;               ///< scratch: where the neighbors of each point with some end in hits_[0]
   int room_ = 0;                        ///< entries of a slice at most
   long pairs_ = 0;
 };

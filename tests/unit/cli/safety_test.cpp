@@ -41,6 +41,14 @@ TEST(Safety, TheFirstThatGoesOnGrowing) {
   EXPECT_NE(safety_text(safety, rows).find("factor of safety: 1.2 (stable up to 1.1)"), std::string::npos);
 }
 
+TEST(Safety, SwingingIsNoGrowth) {
+  const std::vector<FinishedRun> runs{run_with(1.0, [](double t) { return t < 1.0 ? 5.0 : 1.0 - std::cos(20.0 * (t - 1.0)); })};
+  const SafetyRow row = safety_rows(safety, runs)[0];
+  EXPECT_NEAR(row.growth, 2.0, 1e-2);
+  EXPECT_LT(row.share, 1e-3);
+  EXPECT_FALSE(row.fails);
+}
+
 TEST(Safety, UnknownIfAllFailOrNone) {
   for (const bool fails : {false, true}) {
     const std::vector<FinishedRun> runs{run_with(1.0, fails ? steady : at_rest), run_with(2.0, fails ? steady : at_rest)};
