@@ -99,8 +99,7 @@ SINEW_INLINE ScalarOf<M> largest_of(const ScalarOf<M>& fiber, const M&) {
 /// The same in the frame of a later reference configuration, per volume of the first one: F = since * earlier. With N the vector of that frame the bound is taken for earlier^T N.
 template <class M>
 SINEW_INLINE ScalarOf<M> largest_of_later(const AcousticBound<ScalarOf<M>>& bound, const M& since, const M& earlier) {
-  return bound.fiber * largest_eigenvalue_bound(earlier * transpose(earlier)) +
-         bound.area * largest_inverse_stretch2(since);
+  return bound.fiber * largest_eigenvalue_bound(earlier * transpose(earlier)) + bound.area * largest_inverse_stretch2(since);
 }
 template <class M>
 SINEW_INLINE ScalarOf<M> largest_of_later(const ScalarOf<M>& fiber, const M&, const M& earlier) {
