@@ -90,7 +90,7 @@ def describe(case, summary, rows, file):
         return f"fails at {time[-1]:.3g} s"
     energy = column(rows, "energy.total")
     change = f"run-out {column(rows, 'runout')[-1] - 4:.2f} m" if case == "soil" else f"{100 * (energy[-1] / energy[0] - 1):+.2g} %"
-    return f"{change}, {100 * noise(file):.2g} %, {summary['stepping_seconds']:.1f} s"
+    return f"{change}, {100 * noise(file):.0f} %, {summary['stepping_seconds']:.1f} s"
 
 
 def main():
