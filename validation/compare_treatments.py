@@ -17,6 +17,7 @@ from concurrent.futures import ThreadPoolExecutor
 
 import meshio
 import numpy
+from compare_methods import column
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 TREATMENTS = {
@@ -77,11 +78,6 @@ def noise(file):
         fit = numpy.column_stack([numpy.ones(len(near)), (x[near] - x[i])[:, :dimensions]])
         left[i] = p[i] - numpy.linalg.lstsq(fit, p[near], rcond=None)[0][0]
     return numpy.sqrt(numpy.mean(left**2) / numpy.mean(p**2))
-
-
-def column(rows, name):
-    key = next(k for k in rows[0] if k.split(" ")[0] == name)
-    return [float(row[key]) for row in rows]
 
 
 def describe(case, summary, rows, file):

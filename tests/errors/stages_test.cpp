@@ -29,6 +29,8 @@ static const std::vector<WrongCase> wrong_stages{
      "materials "
      "that are written in rates (hypoelastic, drucker_prager, mu_i_rheology), without damage, do not need the deformation for "
      "it"},
+    {"UnknownMaterial", end, in_stages("[stage.material.rubbr]\ndensity = 1\n"),
+     "case.toml:36:17: stage 2: unknown [material.NAME] \"rubbr\". Did you mean \"rubber\"?..."},
     {"OtherMaterial", end,
      in_stages("[stage.material.rubber]\nmodel = \"linear_elastic\"\ndensity = 1\nyoungs_modulus = 1\npoissons_ratio = 0.3\n"),
      "case.toml:33:1: stage \"b\": the material of body \"column\" changes its model; stages may change its parameters only"},

@@ -3,8 +3,8 @@
 ///
 ///     sigma_w,aa = sum_f V_f W_wf (sigma_f,aa - rho_f g_a (x_w - x_f)_a) / sum_f V_f W_wf,   other components without the weight
 ///
-/// f: particles that are no wall. Adami, Hu & Adams (2012), eq. 27, component by component as customary for soils. The velocity gradient of the material sees a rough wall (no slip) with its own velocity, and only the
-/// normal part of the velocity relative to a smooth one (free slip), whose stress has no shear across its normal either.
+/// f: particles that are no wall. Adami, Hu & Adams (2012), eq. 27, component by component as customary for soils. The material sees a rough wall (no slip) with its own
+/// velocity. From what pairs with a smooth one (free slip) add to velocity gradients and forces the tangential part is taken off, and its stress has no shear across the normal.
 
 #include <sinew/kernels/registry.hpp>
 #include <sinew/neighbors/moving_neighbors.hpp>

@@ -22,6 +22,18 @@ void merge(Node& into, const Node& from) {
   }
 }
 
+/// Only materials that have a table of their own can be told what is different.
+void check_named_materials(const Node& file, const Node& entry, const std::string& owner) {
+  const Node* own = entry.find("material");
+  if (!own) return;
+  std::vector<std::string> names;
+  if (const Node* all = file.find("material"))
+    for (const Node::Member& member : all->members) names.push_back(member.key);
+  for (const Node::Member& member : own->members)
+    if (std::find(names.begin(), names.end(), member.key) == names.end())
+      throw CaseError(member.place, owner + ": " + unknown_name_message("[material.NAME]", member.key, names));
+}
+
 /// The case file while a stage lasts, without what is about the whole run.
 Node root_of(const Node& file, const Node& entry, const StageCase& stage) {
   Node root = file;
@@ -87,6 +99,7 @@ void read_stages(CaseReader& reader) {
     const std::string owner = "stage " + std::to_string(taken.size() + 1);
     resolved.items.push_back(read_described(stage, entry, owner, reader.reading, StageCase::own_sections()));
     check_new_name(stage.name, entry.place, "stage", taken);
+    check_named_materials(reader.root, entry, owner);
     taken.push_back(stage.name);
     stage.place = entry.place;
     stage.end = end += stage.duration;
