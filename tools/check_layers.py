@@ -23,15 +23,17 @@ MAY_INCLUDE = {
     "formulations": SOLVER,
     "contact": SOLVER,
     "time": SOLVER | {"formulations", "contact"},
-    "model": SOLVER | {"formulations", "contact", "time"},
+    "implicit": SOLVER | {"formulations"},
+    "model": SOLVER | {"formulations", "contact", "time", "implicit"},
     "io": {"core", "particles", "parallel"},
-    "cli": SOLVER | {"formulations", "contact", "time", "model", "io"},
+    "cli": SOLVER | {"formulations", "contact", "time", "implicit", "model", "io"},
 }
 
 # Third-party header -> the files (patterns under src/sinew) that may include it.
 THIRD_PARTY = {
     "toml++/*": ["io/read_toml.cpp"],
     "mpi.h": ["parallel/*"],
+    "petsc*.h": ["implicit/newton.cpp", "implicit/petsc_session.*"],
     "scotch.h": ["parallel/decomposition.cpp"],
     "hdf5.h": ["io/hdf5_handle.hpp"],
     "cairo*": ["io/picture*.cpp"],

@@ -59,6 +59,8 @@ __global__ void hourglass_shares(double* out, Mat<double, D> F, Vec<double, D> X
     keep(out, trace(Stabilization{}.repulsion(F, 1.0, 1.0)));
   } else if constexpr (requires { Stabilization::pull(x, X, 1.0, 1.0); }) {
     keep(out, dot(Stabilization::pull(x, X, 1.0, 1.0), x));
+  } else if constexpr (requires(Stabilization s) { s.alpha(1.0, 1.0); }) {
+    // computed as another one
   } else {
     const Stabilization s;
     const double mu = Stabilization::approach(x, X, 1.0);

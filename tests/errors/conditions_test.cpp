@@ -12,7 +12,7 @@ static const std::vector<WrongCase> wrong_conditions{
      "case.toml:24:1: initial 1: unknown key \"speed\". Known keys: region, velocity, displacement, stretch."},
     {"UnknownKeyInBoundary", "velocity = [0, 0, 0]", "velosity = [0, 0, 0]",
      "case.toml:27:1: boundary 1: unknown key \"velosity\". Did you mean \"velocity\"? Known keys: region, displacement, "
-     "velocity, force, traction, pressure, wall, normal, area."},
+     "velocity, force, traction, pressure, wall, normal, area, follower."},
     {"UnknownKeyInBodyForce", "[solver]", "[body_force]\ngravity = [0, 0, 0]\n[solver]",
      "case.toml:29:1: [body_force]: unknown key \"gravity\". Known keys: acceleration."},
     {"RegionOfUnknownBody", "body = \"column\"", "body = \"colum\"",

@@ -20,7 +20,8 @@ static const std::vector<WrongCase> wrong_on_current{
      "them"},
     {"TwoStiffnesses", "{ model = \"hourglass_stiffness\", alpha = 50.0 }",
      "{ model = \"hourglass_stiffness\" }, { model = \"non_nested_shear\" }",
-     "case.toml:19:17: [formulation]: hourglass_stiffness and non_nested_shear are two forms of one stiffness; give only one of "
+     "case.toml:19:17: [formulation]: hourglass_stiffness, hourglass_energy and non_nested_shear are forms of one stiffness; "
+     "give only one of "
      "them"},
     {"PrintedOnReference", "{ model = \"hourglass_stiffness\", alpha = 50.0 }",
      "{ model = \"non_nested_shear\", form = \"printed\" }",

@@ -8,7 +8,8 @@ static const std::vector<WrongCase> wrong_outputs{
     {"UnknownKeyInSolver", "cfl =", "clf =",
      "case.toml:29:1: [solver]: unknown key \"clf\". Did you mean \"cfl\"? Known keys: mode, integrator, cfl, wave_speed, "
      "end_time, "
-     "max_steps, time_step, damping, pair_weights, lattice, block_size."},
+     "max_steps, time_step, damping, pair_weights, lattice, block_size, ramp, longest_step, tolerance, most_iterations, "
+     "linear_solver, petsc, numerical_damping, step_error."},
     {"UnknownKeyInOutput", "every =", "evry =",
      "case.toml:32:1: [output]: unknown key \"evry\". Did you mean \"every\"? Known keys: every, history_every, "
      "checkpoint_every, fields, precision, picture_field, picture."},
@@ -24,7 +25,8 @@ static const std::vector<WrongCase> wrong_outputs{
     {"EndTimeMissing", "end_time = 0.5", "max_stepss = 5",
      "case.toml:30:1: [solver]: unknown key \"max_stepss\". Did you mean \"max_steps\"? Known keys: mode, integrator, cfl, "
      "wave_speed, "
-     "end_time, max_steps, time_step, damping, pair_weights, lattice, block_size."},
+     "end_time, max_steps, time_step, damping, pair_weights, lattice, block_size, ramp, longest_step, tolerance, "
+     "most_iterations, linear_solver, petsc, numerical_damping, step_error."},
     {"NoEnd", "end_time = 0.5\n", "",
      "case.toml:28:1: [solver]: \"end_time\" is missing. Give the time at which the run ends, or max_steps."},
     {"CflTooLarge", "cfl = 0.3", "cfl = 1.5", "case.toml:29:7: [solver]: cfl must be greater than 0 and at most 1, found 1.5"},
@@ -33,11 +35,12 @@ static const std::vector<WrongCase> wrong_outputs{
      "case.toml:30:13: [solver]: time_step must be greater than 0, found -0.001"},
     {"MaxStepsNotWhole", "cfl = 0.3", "max_steps = 1.5",
      "case.toml:29:13: [solver]: max_steps must be a whole number, found 1.5"},
-    {"UnknownMode", "cfl = 0.3", "mode = \"implicit\"",
-     "case.toml:29:8: [solver]: mode: unknown name \"implicit\". Did you mean \"explicit\"? Known names: explicit."},
+    {"UnknownMode", "cfl = 0.3", "mode = \"implict\"",
+     "case.toml:29:8: [solver]: mode: unknown name \"implict\". Did you mean \"implicit\"? Known names: explicit, implicit, "
+     "static."},
     {"UnknownIntegrator", "cfl = 0.3", "integrator = \"verlet\"",
      "case.toml:29:14: [solver]: integrator: unknown name \"verlet\". Did you mean \"velocity_verlet\"? Known names: "
-     "velocity_verlet, rk3."},
+     "velocity_verlet, rk3, newmark, hht_alpha."},
     {"NegativeOutputInterval", "\"end_time/50\"", "-1", "case.toml:32:9: [output]: every must be 0 or greater, found -1"},
     {"UnknownOutputField", "fields = [\"velocity\"]", "fields = [\"velocity\", \"von_mises\"]",
      "case.toml:33:23: [output]: fields: unknown name \"von_mises\". Did you mean \"von_mises_stress\"? Known names: "

@@ -46,7 +46,8 @@ TEST(WrongOverride, HasItsMessage) {
   EXPECT_EQ(
       error_of_override("solver.clf", "0.1"),
       "--set solver.clf=0.1: [solver]: unknown key \"clf\". Did you mean \"cfl\"? Known keys: mode, integrator, cfl, wave_speed, "
-      "end_time, max_steps, time_step, damping, pair_weights, lattice, block_size.");
+      "end_time, max_steps, time_step, damping, pair_weights, lattice, block_size, ramp, longest_step, tolerance, "
+      "most_iterations, linear_solver, petsc, numerical_damping, step_error.");
   EXPECT_EQ(error_of_override("solvers.cfl", "0.1"),
             "--set solvers.cfl=0.1: unknown key \"solvers\". Did you mean \"solver\"? Known keys: case, parameters, body, "
             "material, formulation, region, initial, boundary, body_force, contact, wall, solver, stage, output, probe, expect, "

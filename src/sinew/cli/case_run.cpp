@@ -121,6 +121,9 @@ void CaseRun::step() {
     const double next = now + std::min(simulation.stable_time_step(), most);
     if (record_follows(now, next)) simulation.expect_record();
     simulation.step(most);
+  } catch (const NoBalance& error) {
+    status = "no balance";
+    message = error.what();
   } catch (const SimulationError& error) {
     status = "unstable";
     message = error.what();

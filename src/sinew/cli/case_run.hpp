@@ -15,6 +15,9 @@
 
 namespace sinew {
 
+/// Most memory that this process has had so far.
+long peak_memory_bytes();
+
 struct RunControl {
   std::string picture;  ///< a file outside the run folder; empty: none
   Tier tier = Tier::full;

@@ -7,15 +7,11 @@
 
 namespace sinew {
 
-namespace {
-
 long peak_memory_bytes() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   return usage.ru_maxrss * 1024L;
 }
-
-}  // namespace
 
 Summary CaseRun::summarize(const FinishedRun& finished) {
   const ModelFacts& facts = simulation.facts();
@@ -62,6 +58,7 @@ Summary CaseRun::summarize(const FinishedRun& finished) {
   s.exchange = {{"copies_share", facts.ranks.copies_share},
                 {"bytes_per_step", facts.ranks.bytes},
                 {"messages_per_rank", facts.ranks.messages_most}};
+  s.equations = simulation.equation_counts();
   s.pass_timings = simulation.pass_seconds();
   s.warnings = facts.warnings;
   return s;
@@ -78,6 +75,12 @@ void CaseRun::say_end(const Summary& s) {
   reporter.say(fmt::format("{}: t = {}, {} steps in {}, {:.3g} million particle-steps/s, results in {}", status, time,
                            count_text(s.steps), duration_text(s.wall_seconds), 1e-6 * s.particle_steps_per_second,
                            folder.path()));
+  if (!s.equations.empty())
+    reporter.say(fmt::format("{} Newton iterations, {} linear ones, {} steps cut back", s.equations.at("newton_iterations"),
+                             s.equations.at("linear_iterations"), s.equations.at("cut_backs")));
+  if (status == "no balance")
+    reporter.warn(message + "\nThe last balance is in " + folder.path() +
+                  "; sinew resume goes on from there, with --set solver...");
   if (status == "interrupted") reporter.warn("interrupted at t = " + time + ". To go on: sinew resume " + folder.path());
   if (status == "failed") reporter.warn("the run failed at t = " + time + ": " + message);
   if (status == "unstable")

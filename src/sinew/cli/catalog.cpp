@@ -1,6 +1,7 @@
 #include <sinew/cli/catalog.hpp>
 
 #include <algorithm>
+#include <sinew/implicit/newmark.hpp>
 #include <sinew/model/boundary_keys.hpp>
 #include <sinew/model/field_names.hpp>
 #include <sinew/time/registry.hpp>
@@ -84,7 +85,7 @@ const std::vector<CatalogKind>& catalog() {
       kind_of<Corrections>("corrections", "[formulation] correction = \"NAME\""),
       kind_of<Stabilizations>("stabilizations", "[formulation] stabilization = [ { model = \"NAME\" } ]"),
       formulations(),
-      kind_of<Integrators>("integrators", "[solver] integrator = \"NAME\""),
+      kind_of<Joined<Integrators, ImplicitIntegrators>>("integrators", "[solver] integrator = \"NAME\""),
       boundaries(),
       kind_of<ContactLaws>("contacts", "[[contact]] model = \"NAME\""),
       kind_of<WallShapes>("walls", "[[wall]] geometry = { shape = \"NAME\" }"),

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <limits>
 #include <sinew/cli/case_input.hpp>
+#include <sinew/cli/case_run.hpp>
 #include <sinew/cli/facts_text.hpp>
 #include <sinew/cli/number_format.hpp>
 #include <sinew/cli/run.hpp>
@@ -13,12 +14,13 @@ namespace sinew {
 
 namespace {
 
-constexpr int timed_steps = 3;
+/// Steps that solve equations are timed once.
+int timed_steps(const Case& c) { return c.solver.is_explicit() ? 3 : 1; }
 
 /// Seconds of the fastest of a few steps.
-double seconds_per_step(Simulation& simulation) {
+double seconds_per_step(Simulation& simulation, int steps) {
   double fastest = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < timed_steps; ++i) {
+  for (int i = 0; i < steps; ++i) {
     const auto start = std::chrono::steady_clock::now();
     simulation.step(std::numeric_limits<double>::infinity());
     fastest = std::min(fastest, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
@@ -50,14 +52,27 @@ void print_plan(const Simulation& simulation, const std::vector<int>& ranks, dou
         facts.blocks);
 }
 
+/// What the first step has found out.
+std::string equations_text(Simulation& simulation) {
+  const std::map<std::string, double> counts = simulation.equation_counts();
+  if (counts.empty()) return "";
+  constexpr double bytes_an_entry = 12.0;
+  return fmt::format("the first step: {} Newton iterations, {} linear ones, {} cut back; matrix {}, all memory {} so far\n",
+                     counts.at("newton_iterations"), counts.at("linear_iterations"), counts.at("cut_backs"),
+                     bytes_text(bytes_an_entry * counts.at("matrix_entries")),
+                     bytes_text(static_cast<double>(peak_memory_bytes())));
+}
+
 /// Prints what one run would be; returns the seconds that it would take.
 double check_one(const Case& c, const std::vector<int>& ranks) {
   const std::unique_ptr<Simulation> simulation = Simulation::build(c);
   fmt::print("{}\n", facts_text(c, simulation->facts()));
-  const double step = seconds_per_step(*simulation);
+  const int steps = timed_steps(c);
+  const double step = seconds_per_step(*simulation, steps);
   const double seconds = step * estimated_steps(c, simulation->facts());
-  fmt::print("estimated run time: {} (from timing {} steps, without output; it grows if the time step shrinks)\n",
-             duration_text(seconds), timed_steps);
+  fmt::print("{}", equations_text(*simulation));
+  fmt::print("estimated run time: {} (from timing {} step{}, without output; it grows if the time step shrinks)\n",
+             duration_text(seconds), steps, steps == 1 ? "" : "s");
   if (!ranks.empty()) print_plan(*simulation, ranks, step);
   std::fflush(stdout);
   return seconds;

@@ -8,6 +8,7 @@
 #include <sinew/cli/options.hpp>
 #include <sinew/cli/version.hpp>
 #include <sinew/core/error.hpp>
+#include <sinew/implicit/newton.hpp>
 #include <sinew/parallel/comm.hpp>
 
 namespace sinew {
@@ -221,6 +222,7 @@ int run_guarded(int count, const char* const* arguments) {
 
 int command_line(int count, const char* const* arguments) {
   const int code = run_guarded(count, arguments);
+  Newton::finalize();
   Comm::finalize();
   return code;
 }

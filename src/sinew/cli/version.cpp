@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <sinew/cli/build_info.hpp>
 #include <sinew/core/pack.hpp>
+#include <sinew/implicit/newton.hpp>
 #include <sinew/parallel/comm.hpp>
 
 namespace sinew {
@@ -32,11 +33,11 @@ std::string version_text() {
       "compiler   {}, {}\n"
       "OpenMP     {}\n"
       "MPI        {}\n"
-      "PETSc      not built in\n"
+      "PETSc      {}\n"
       "HDF5       {}\n"
       "vector ISA {}, {} particles at a time",
       build_info::version, build_info::commit, build_info::compiler, build_info::build_type, _OPENMP, Comm::library(),
-      build_info::hdf5, vector_registers(), lanes);
+      Newton::version(), build_info::hdf5, vector_registers(), lanes);
 }
 
 }  // namespace sinew

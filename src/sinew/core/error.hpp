@@ -29,6 +29,12 @@ class SimulationError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// Equations have no solution that could be found; the state is the last one that solves them.
+class NoBalance : public SimulationError {
+ public:
+  using SimulationError::SimulationError;
+};
+
 /// The known name nearest to `wrong` (edit distance with transpositions, at most a third of its length),
 /// otherwise the first that contains it or is contained in it; empty if none is near.
 std::string nearest_name(std::string_view wrong, std::span<const std::string> known);

@@ -6,9 +6,11 @@
 #include <sinew/core/function_ref.hpp>
 #include <sinew/formulations/gradient_form.hpp>
 #include <sinew/formulations/history.hpp>
+#include <sinew/formulations/stencil.hpp>
 #include <sinew/neighbors/block_pairs.hpp>
 #include <sinew/neighbors/cracks.hpp>
 #include <sinew/parallel/share.hpp>
+#include <span>
 #include <string>
 
 namespace sinew {
@@ -102,6 +104,23 @@ class Formulation {
   virtual void restore_cracks(const Particles<D>& /*particles*/, const std::vector<double>& /*failed*/,
                               const std::vector<double>& /*most_stiffness*/) {}
 
+  // For implicit solvers, of formulations that offer it.
+
+  /// From now on each evaluation of the forces keeps the deformation that belongs to it.
+  virtual void keep_linearization(const Particles<D>& /*particles*/) {}
+  /// Adds what the internal forces change by, to first order, if the last evaluated displacements change by those of `particles`; histories stay those of the beginning of `step`. Damage
+  /// and velocities do not enter.
+  virtual void tangent_forces(Particles<D>& /*particles*/, VectorField<D>& /*forces*/, PointStep /*step*/) {}
+  /// The same as matrices, one of each particle of this rank, from the main thread: use(slots, matrix) with the particle and its neighbors, copies among them, and the derivative of minus the forces between
+  /// them, row-major, D numbers a slot; see NodalStiffness. Reach::nearest: with no more of the nearest neighbors than a gradient needs, which is an operator like the other one that couples fewer particles.
+  using UseStiffness = FunctionRef<void(std::span<const int> slots, std::span<const double> matrix)>;
+  using UseStencil = FunctionRef<void(std::span<const int> slots)>;
+  enum class Reach { all, nearest };
+  virtual void for_each_stiffness(const Particles<D>& /*particles*/, Reach /*reach*/, PointStep /*step*/, UseStiffness /*use*/) {}
+  virtual void for_each_stencil(const Particles<D>& /*particles*/, Reach /*reach*/, UseStencil /*use*/) const {}
+  /// Of a particle of this rank, in the reference configuration of the beginning.
+  virtual Stencil<D> stencil_of(const Particles<D>& /*particles*/, int /*slot*/) const { return {}; }
+
   // From here on, every rank for itself.
 
   virtual bool separates() const { return false; }      ///< any body
@@ -135,6 +154,11 @@ class Formulation {
   const BlockPairs<D>& pairs() const { return pairs_; }
   const LatticePatterns<D>& lattice() const { return pairs_.lattice; }
   const Halo& halo() const { return halo_; }
+  /// Brings the vectors of copies from the ranks that have them. Collective.
+  void update_copies(VectorField<D>& field) {
+    halo_.displacements.start(field);
+    halo_.displacements.finish();
+  }
   double thickness() const { return thickness_; }
 
  protected:

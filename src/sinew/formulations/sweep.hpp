@@ -95,19 +95,27 @@ SINEW_INLINE Pack stiffness_rate(const SweepTask<D>& task, const SliceConstants<
   return Pack(task.stiffness) / (least * nearest2);
 }
 
+/// What eight particles tell about themselves besides their forces, and forces that depend on velocities.
+template <int D, class Pairs>
+SINEW_INLINE void give_rates(const SweepTask<D>& task, const SliceConstants<D>& constants, Pairs& pairs,
+                             const SliceInWork<D>& slice, int slice_number, SweepSums& sums) {
+  sums.energy += slice.material * task.thickness * slice.point.energy;
+  sums.jacobian = min(sums.jacobian, slice.point.jacobian);
+  Pack rate = stiffness_rate(task, constants, pairs, slice);
+  if (task.viscosity) rate += task.density * give_viscous_forces(task, constants, pairs, slice, slice_number, sums);
+  if constexpr (Pairs::listed)
+    if (task.laplacian_scale > 0.0) give_dissipation(task, constants, pairs, slice_number, sums);
+  sums.stiffness_rate = max(sums.stiffness_rate, rate);
+}
+
 /// Forces of eight particles and their pairs, once the material has answered.
 template <int D, class Shares, class Pairs>
 SINEW_INLINE void give_forces(const SweepTask<D>& task, const SliceConstants<D>& constants, Pairs& pairs,
                               const SliceInWork<D>& slice, int slice_number, SweepSums& sums) {
   const PointResponse<D>& point = slice.point;
   const Pack volume = slice.material * task.thickness;
-  sums.energy += volume * point.energy;
-  sums.jacobian = min(sums.jacobian, point.jacobian);
-  Pack rate = stiffness_rate(task, constants, pairs, slice);
-  if (task.viscosity) rate += task.density * give_viscous_forces(task, constants, pairs, slice, slice_number, sums);
-  if constexpr (Pairs::listed)
-    if (task.laplacian_scale > 0.0) give_dissipation(task, constants, pairs, slice_number, sums);
-  sums.stiffness_rate = max(sums.stiffness_rate, rate);
+  const bool linear = task.linear.applies;
+  if (!linear) give_rates(task, constants, pairs, slice, slice_number, sums);
 
   const Pack modulus = task.fixed_modulus > 0.0 ? Pack(task.fixed_modulus) : point.hourglass_modulus;
   const Pack stiffness = slice.volume * task.thickness * task.hourglass * modulus * constants.hourglass_scale;
@@ -117,6 +125,7 @@ SINEW_INLINE void give_forces(const SweepTask<D>& task, const SliceConstants<D>&
   Shares shares(PointState<D>{(volume * point.P) * constants.correction_matrix(), slice.template of_pairs<Pairs>(task.form),
                               slice.S, history ? stiffness * point.damage.intact : stiffness});
   pairs.exchange(shares);
+  if (linear) return;
   if (history)
     count_dissipation(task, point, volume, shares.hourglass_energy(), sums);
   else
@@ -166,9 +175,24 @@ void ask_since_update(const SweepTask<D>& task, int slice, SliceInWork<D>& work)
   work.material = slots.load(task.later->first_volume());
 }
 
+/// The change of the stress with the displacements, from the deformation that was kept.
+template <int D>
+void ask_tangent(const SweepTask<D>& task, const SliceHistory<D>& history, SliceInWork<D>& work) {
+  PointTangent<D> tangent;
+  const Mat<Pack, D> I = Mat<Pack, D>::identity();
+  task.linear.tangent(I + history.slots.load_matrix(*task.linear.gradient), &history, tangent);
+  work.point.P = tangent * (work.F - I);
+  work.point.hourglass_modulus = tangent.hourglass_modulus;
+}
+
 template <int D>
 SINEW_INLINE void ask_material(const SweepTask<D>& task, const SliceConstants<D>& constants, int slice, SliceInWork<D>& work) {
   work.volume = work.material = constants.volume;
+  if (task.linear.gradient) {
+    const SliceSlots<D> slots(task.source.pairs, task.block, slice);
+    if (task.linear.applies) return ask_tangent(task, {task.history, slots, task.step, task.weights.radius.data()}, work);
+    slots.store_matrix(work.F - Mat<Pack, D>::identity(), *task.linear.gradient);
+  }
   if (task.later) return ask_since_update(task, slice, work);
   if (task.material.numbers == 0) return task.material(work.F, nullptr, work.point);
   const SliceHistory<D> history{task.history, SliceSlots<D>(task.source.pairs, task.block, slice), task.step,

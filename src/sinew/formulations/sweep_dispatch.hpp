@@ -2,10 +2,22 @@
 /// Between the solver and the sweep, which is compiled once for each kind of weights and of hourglass force.
 
 #include <sinew/formulations/later_reference.hpp>
+#include <sinew/formulations/tangent_point.hpp>
 #include <sinew/formulations/total_lagrangian.hpp>
 #include <sinew/neighbors/block_scratch.hpp>
 
 namespace sinew {
+
+/// For implicit solvers: the deformation around which a sweep is linear, F - I by slot.
+template <int D>
+struct Linearization {
+  MatrixField<D>* gradient = nullptr;  ///< nullptr: nobody wants it
+  bool applies =
+      false;  ///< the displacements are changes from that deformation, and the forces are to be their changes; otherwise it is to be kept
+  TangentPoint<D> tangent{};
+
+  bool keeps() const { return gradient && !applies; }
+};
 
 /// Everything that one sweep over a block reads and writes.
 template <int D>
@@ -33,6 +45,7 @@ struct SweepTask {
   bool outer_laplacian;                      ///< the vectors in the scratch are to be smoothed by it
   double corrected_harmonic;                 ///< of JstDissipation, where it is exchanged by pairs; 0 otherwise [length^2/time]
   const LaterReference<D>* later = nullptr;  ///< if the reference configuration has been renewed
+  Linearization<D> linear{};
 };
 
 /// Defined in sweep_2d.cpp and sweep_3d.cpp.

@@ -173,7 +173,8 @@ Vec<double, D> TotalLagrangian<D>::toward_neighbors(const Particles<D>& particle
 
 template <int D>
 std::size_t TotalLagrangian<D>::bytes() const {
-  std::size_t bytes = matrices_.bytes() + pairs_.bytes() + weights_.bytes() + history_.bytes() + spilled_.bytes();
+  std::size_t bytes =
+      matrices_.bytes() + linearized_.bytes() + pairs_.bytes() + weights_.bytes() + history_.bytes() + spilled_.bytes();
   for (const BlockScratch<D>& scratch : scratches_) bytes += scratch.bytes();
   return bytes;
 }

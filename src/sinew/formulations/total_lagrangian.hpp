@@ -108,6 +108,13 @@ class TotalLagrangian final : public Formulation<D> {
   ParticleMatrices<D>& matrices() { return matrices_; }
   const ParticleMatrices<D>& matrices() const { return matrices_; }
 
+  void keep_linearization(const Particles<D>& particles) override { linearized_ = MatrixField<D>(particles.slots); }
+  void tangent_forces(Particles<D>& particles, VectorField<D>& forces, PointStep step) override;
+  using typename Formulation<D>::Reach, typename Formulation<D>::UseStiffness, typename Formulation<D>::UseStencil;
+  void for_each_stiffness(const Particles<D>& particles, Reach reach, PointStep step, UseStiffness use) override;
+  void for_each_stencil(const Particles<D>& particles, Reach reach, UseStencil use) const override;
+  Stencil<D> stencil_of(const Particles<D>& particles, int slot) const override;
+
   /// Lets the reference configuration be renewed from now on.
   void renew_by(std::unique_ptr<LaterReference<D>> later) { later_ = std::move(later); }
   long reference_updates() const override { return later_ ? later_->updates() : 0; }
@@ -181,6 +188,7 @@ class TotalLagrangian final : public Formulation<D> {
   double hourglass_time_step_ = infinity, dissipation_rate_ = 0.0;
   std::vector<JstDissipation::Coefficients> dissipation_;  ///< one a body
   ParticleMatrices<D> matrices_;
+  MatrixField<D> linearized_;               ///< for implicit solvers: F - I of the last evaluation; empty otherwise
   std::vector<ForceSummary> recorded_;      ///< scratch, like the summaries, of record()
   VectorField<D> spilled_;                  ///< scratch: forces on ghosts
   std::vector<BlockScratch<D>> scratches_;  ///< one a thread

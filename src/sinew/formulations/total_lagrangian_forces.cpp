@@ -66,7 +66,8 @@ SweepTask<D> TotalLagrangian<D>::task_of(int index, const PairSource<D>& source,
           laplacian_scale(block.body),
           options_.outer_laplacian(),
           options_.jst && options_.jst->corrected() ? dissipation_[block.body].harmonic : 0.0,
-          later_ && later_->renewed() ? later_.get() : nullptr};
+          later_ && later_->renewed() ? later_.get() : nullptr,
+          {linearized_.empty() ? nullptr : &linearized_}};
 }
 
 /// 0 without JST dissipation.
@@ -206,6 +207,20 @@ ForceSummary TotalLagrangian<D>::internal_forces(Particles<D>& all, VectorField<
   return total_of(summaries_);
 }
 
+template <int D>
+void TotalLagrangian<D>::tangent_forces(Particles<D>& particles, VectorField<D>& forces, PointStep step) {
+  const PairSource<D> source{particles, pairs_};
+  const WeightOptions weights = weight_options();
+  prepare_scratch();
+  const auto later = [](int, int) {};
+  sweep_to_forces(particles, forces, later, {true, true}, [&](int index) {
+    SweepTask<D> task = task_of(index, source, weights, step, nullptr);
+    task.linear.applies = true;
+    task.linear.tangent = tangent_point<D>(options_.materials[task.block.body], options_.plane_stress);
+    sweep_block<D>(task);
+  });
+}
+
 /// What follows when the stresses of all particles are known.
 template <int D>
 void TotalLagrangian<D>::add_adjoint_forces(Particles<D>& particles, VectorField<D>& forces, Finish finish) {
@@ -258,6 +273,7 @@ void TotalLagrangian<D>::begin(Particles<D>& particles) {
   template void TotalLagrangian<D>::add_adjoint_forces(Particles<D>&, VectorField<D>&, Finish);                                  \
   template void TotalLagrangian<D>::prepare(Particles<D>&);                                                                      \
   template ForceSummary TotalLagrangian<D>::internal_forces(Particles<D>&, VectorField<D>&, PointStep, Finish, RecordedState*);  \
+  template void TotalLagrangian<D>::tangent_forces(Particles<D>&, VectorField<D>&, PointStep);                                   \
   template ForceSummary TotalLagrangian<D>::record(Particles<D>&, RecordedState&);                                               \
   template void TotalLagrangian<D>::begin(Particles<D>&);
 SINEW_INSTANTIATE(2)

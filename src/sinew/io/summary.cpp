@@ -56,6 +56,7 @@ void describe(Summary& s, Visit&& visit) {
   visit("probes", s.probes);
   visit("expect", s.expect);
   visit("exchange", s.exchange);
+  visit("equations", s.equations);
   visit("pass_timings", s.pass_timings);
   visit("warnings", s.warnings);
 }

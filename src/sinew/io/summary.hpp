@@ -40,6 +40,7 @@ struct Summary {
   std::map<std::string, ProbeSummary> probes;
   std::vector<ExpectSummary> expect;
   std::map<std::string, double> exchange;      ///< between ranks: copies_share, bytes_per_step, messages_per_rank
+  std::map<std::string, double> equations;     ///< newton_iterations, linear_iterations, ...; empty for explicit runs
   std::map<std::string, double> pass_timings;  ///< seconds spent in each pass
   std::vector<std::string> warnings;
 };

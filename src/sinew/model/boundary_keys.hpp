@@ -14,6 +14,7 @@ struct BoundaryKeys {
   std::optional<std::string> wall;
   std::optional<Point> normal;
   std::optional<double> area;
+  bool follower = false;
   Place place;
 
   static void describe(auto&& field, auto& m) {
@@ -22,7 +23,9 @@ struct BoundaryKeys {
     field("velocity", m.velocity, "m/s", "Prescribed velocity; \"free\" leaves a component alone.", optional);
     field("force", m.force, "N", "Total force, shared by the particles of the region.", optional);
     field("traction", m.traction, "Pa", "Force per reference area.", optional);
-    field("pressure", m.pressure, "Pa", "Pressure on the reference surface (a dead load), positive when it pushes.", optional);
+    field("pressure", m.pressure, "Pa",
+          "Pressure, positive when it pushes; on the surface before deformation (a dead load) unless follower says otherwise.",
+          optional);
     field("wall", m.wall, no_unit,
           "The particles are a wall, which stands still unless a later entry moves it: no_slip, rough; free_slip, smooth. On the "
           "current "
@@ -33,6 +36,8 @@ struct BoundaryKeys {
           optional);
     field("area", m.area, "m^2", "For traction and pressure: total area of the surface; by default one face a particle.",
           positive, optional);
+    field("follower", m.follower, no_unit,
+          "For pressure: whether it acts on the surface as it is deformed, -p J F^-T N per area before deformation.", optional);
   }
 };
 

@@ -3,7 +3,6 @@
 /// the reader, its checks, the reference and the schema use that description.
 
 #include <array>
-#include <limits>
 #include <map>
 #include <optional>
 #include <sinew/core/node.hpp>
@@ -15,6 +14,7 @@
 #include <sinew/model/formulation_case.hpp>
 #include <sinew/model/plane_state.hpp>
 #include <sinew/model/registered_reader.hpp>
+#include <sinew/model/solver_case.hpp>
 #include <sinew/model/stage_case.hpp>
 #include <string>
 #include <utility>
@@ -110,53 +110,8 @@ struct BoundaryCase {
   std::array<std::optional<Expression>, 3> value;  ///< pressure uses value[0]
   std::optional<Point> normal;  ///< pressure: outward normal in the reference configuration; wall: if it is smooth
   std::optional<double> area;   ///< traction, pressure: total area of the region's surface
+  bool follower = false;        ///< pressure: on the current surface
   Place place;
-};
-
-/// [solver]
-struct SolverCase {
-  std::string mode = "explicit";
-  std::string integrator = "velocity_verlet";
-  double cfl = 0.3;
-  std::string wave_speed = "bound";
-  double end_time = std::numeric_limits<double>::infinity();  ///< infinity if only max_steps ends the run
-  std::optional<long> max_steps;
-  std::optional<double> time_step;  ///< fixed step instead of the adaptive one
-  double damping = 0.0;             ///< a += -damping v  [1/time]
-  std::string pair_weights = "auto";
-  std::string lattice = "auto";
-  std::optional<long> block_size;  ///< largest_block otherwise
-
-  static void describe(auto&& field, auto& m) {
-    constexpr Range courant{0.0, 1.0, true, false, "greater than 0 and at most 1"};
-    field("mode", m.mode, no_unit, "How the equations are solved.", optional, OneOf{{"explicit"}});
-    field("integrator", m.integrator, no_unit, "Time integration.", optional, OneOf{{"velocity_verlet", "rk3"}});
-    field("cfl", m.cfl, no_unit, "Time step over the time that a wave takes across a particle.", courant, optional);
-    field("wave_speed", m.wave_speed, no_unit,
-          "That wave: bound, of the current stiffness, across the reference distance of the nearest neighbor, never too slow; "
-          "stretch, of the reference stiffness over the smallest principal stretch, across its current distance; "
-          "reference, as at rest, whatever the volume.",
-          optional, OneOf{{"bound", "stretch", "reference"}});
-    field("end_time", m.end_time, "s", "Time at which the run ends; needed unless max_steps is given.", positive, optional);
-    field("max_steps", m.max_steps, no_unit, "Number of steps after which the run ends.", at_least_one, optional);
-    field("time_step", m.time_step, "s", "A fixed time step instead of the one from cfl.", positive, optional);
-    field("damping", m.damping, "1/s", "Damping rate: every particle gets the acceleration -damping times its velocity.",
-          non_negative, optional);
-    field("pair_weights", m.pair_weights, no_unit,
-          "How the weights of pairs are kept, where no lattice makes them needless: stored; single, in half the memory and "
-          "rounded to 7 "
-          "digits; computed anew in each step, with no memory; auto: stored up to 8 GiB, computed beyond.",
-          optional, OneOf{{"auto", "stored", "single", "computed"}});
-    field("lattice", m.lattice, no_unit,
-          "auto: regular arrangements of particles go without a pair list; off: never. Changes results by rounding only.",
-          optional, OneOf{{"auto", "off"}});
-    constexpr Range block{8.0, 16384.0, false, false, "from 8 to 16384"};
-    field(
-        "block_size", m.block_size, no_unit,
-        "Particles at most in a block, the piece of a body that one thread computes at a time and one rank owns; 16384 if not "
-        "given. Smaller blocks let more ranks share a small case, at the price of more copies. Changes results by rounding only.",
-        block, optional);
-  }
 };
 
 /// [output]

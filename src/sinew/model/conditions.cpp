@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -12,6 +13,16 @@ namespace {
 FieldFunction field_function(const Expression& expression) {
   return {[expression](const Point& X, const Point& x, double t) { return expression(X, x, t); }, expression.depends_on_place(),
           expression.text()};
+}
+
+/// The same, in proportion to time where the case says so; see SolverCase::ramp.
+FieldFunction load_function(const Case& c, const Expression& expression) {
+  FieldFunction function = field_function(expression);
+  if (!c.solver.is_static() || !c.solver.ramp || expression.depends_on_time()) return function;
+  function.value = [expression, end = c.solver.end_time](const Point& X, const Point& x, double t) {
+    return t / end * expression(X, x, t);
+  };
+  return function;
 }
 
 /// CaseError unless the expression is a finite number on all of the particles at time 0.
@@ -86,30 +97,45 @@ void warn_of_oblique_normals(const BoundaryCase& b, const Region& region, const 
         b.region, leaning, region.particles));
 }
 
-/// A pressure p on an area with outward normal N is the force -p N A; component by component.
+/// A pressure p on an area with outward normal N is the force -p N A; component by component. `on_areas`: the pressure, with the areas as shares.
 template <int D>
-void add_pressure(const BoundaryCase& b, const std::vector<int>& slots, const std::vector<double>& area,
-                  const Particles<D>& particles, const Formulation<D>& solid, std::vector<LoadCondition>& loads) {
+void add_pressure(const BoundaryCase& b, const LoadCondition& on_areas, const Particles<D>& particles,
+                  const Formulation<D>& solid, std::vector<LoadCondition>& loads) {
   for (int c = 0; c < D; ++c) {
-    LoadCondition load{c, field_function(*b.value[0]), slots, {}};
-    for (std::size_t k = 0; k < slots.size(); ++k) {
-      const double normal = b.normal ? (*b.normal)[c] / norm(*b.normal) : outward_normal(particles, solid, slots[k])[c];
-      load.share.push_back(-normal * area[k]);
-    }
+    LoadCondition load = on_areas;
+    load.component = c;
+    for (std::size_t k = 0; k < load.slots.size(); ++k)
+      load.share[k] *= -(b.normal ? (*b.normal)[c] / norm(*b.normal) : outward_normal(particles, solid, load.slots[k])[c]);
     loads.push_back(std::move(load));
   }
 }
 
-bool is_constant(const std::array<Expression, 3>& acceleration) {
-  return acceleration[0].is_constant() && acceleration[1].is_constant() && acceleration[2].is_constant();
+/// The same on the surface as it is deformed.
+template <int D>
+FollowerCondition<D> follower_pressure(const BoundaryCase& b, const LoadCondition& on_areas, const Particles<D>& particles,
+                                       const Formulation<D>& solid) {
+  FollowerCondition<D> follower{on_areas.function, {}};
+  for (std::size_t k = 0; k < on_areas.slots.size(); ++k) {
+    const int slot = on_areas.slots[k];
+    Vec<double, D> normal = outward_normal(particles, solid, slot);
+    for (int c = 0; c < D && b.normal; ++c) normal[c] = (*b.normal)[c] / norm(*b.normal);
+    follower.surfaces.push_back({solid.stencil_of(particles, slot), on_areas.share[k] * normal});
+  }
+  return follower;
+}
+
+/// Whether the body force is not the same everywhere and at all times.
+bool is_load(const Case& c) {
+  const auto constant = [](const Expression& e) { return e.is_constant(); };
+  return c.solver.is_static() || !std::all_of(c.body_force.begin(), c.body_force.end(), constant);
 }
 
 /// Mass times acceleration on every particle.
 template <int D>
-void add_body_force(const std::array<Expression, 3>& acceleration, const std::vector<int>& slots, const Particles<D>& particles,
+void add_body_force(const Case& case_, const std::vector<int>& slots, const Particles<D>& particles,
                     std::vector<LoadCondition>& loads) {
   for (int c = 0; c < D; ++c) {
-    LoadCondition load{c, field_function(acceleration[c]), slots, {}};
+    LoadCondition load{c, load_function(case_, case_.body_force[c]), slots, {}};
     for (int slot : slots) load.share.push_back(particles.mass[slot]);
     loads.push_back(std::move(load));
   }
@@ -150,7 +176,7 @@ void check_rigid_bodies(const Case& c, const Particles<D>& particles, const std:
 template <int D>
 Vec<double, D> constant_body_force(const Case& c) {
   Vec<double, D> gravity;
-  for (int i = 0; i < D && is_constant(c.body_force); ++i) gravity[i] = c.body_force[i](0.0);
+  for (int i = 0; i < D && !is_load(c); ++i) gravity[i] = c.body_force[i](0.0);
   return gravity;
 }
 
@@ -165,11 +191,11 @@ PrescribedMotion<D> make_prescribed_motion(const Case& c, const Regions& regions
     comm.together([&] { check_values(*b, regions, particles); });
     for (int component = 0; component < D; ++component) {
       if (!b->value[component]) continue;
-      MotionCondition m{
-          b->kind == BoundaryCase::Kind::displacement ? MotionCondition::Kind::displacement : MotionCondition::Kind::velocity,
-          component,
-          field_function(*b->value[component]),
-          {}};
+      const bool displacement = b->kind == BoundaryCase::Kind::displacement;
+      MotionCondition m{displacement ? MotionCondition::Kind::displacement : MotionCondition::Kind::velocity,
+                        component,
+                        displacement ? load_function(c, *b->value[component]) : field_function(*b->value[component]),
+                        {}};
       for (int slot : regions.at(b->region).slots)
         if (taken.insert({slot, component}).second)
           m.slots.push_back(slot);
@@ -212,6 +238,7 @@ template <int D>
 Loads<D> make_loads(const Case& c, const Regions& regions, const Particles<D>& particles, const Formulation<D>& solid,
                     const Comm& comm, std::vector<std::string>& warnings) {
   std::vector<LoadCondition> loads;
+  std::vector<FollowerCondition<D>> followers;
   for (const BoundaryCase& b : c.boundary) {
     if (is_motion(b.kind)) continue;
     comm.together([&] { check_values(b, regions, particles); });
@@ -220,19 +247,23 @@ Loads<D> make_loads(const Case& c, const Regions& regions, const Particles<D>& p
     const std::vector<double> share =
         force ? shares_by_volume(region, particles) : areas(b, region, particles, c.general.thickness);
     if (b.kind == BoundaryCase::Kind::pressure) {
-      add_pressure(b, region.slots, share, particles, solid, loads);
+      const LoadCondition on_areas{0, load_function(c, *b.value[0]), region.slots, share};
+      if (b.follower)
+        followers.push_back(follower_pressure(b, on_areas, particles, solid));
+      else
+        add_pressure(b, on_areas, particles, solid, loads);
       warn_of_oblique_normals(b, region, particles, solid, comm, warnings);
       continue;
     }
     for (int component = 0; component < D; ++component)
-      if (b.value[component]) loads.push_back({component, field_function(*b.value[component]), region.slots, share});
+      if (b.value[component]) loads.push_back({component, load_function(c, *b.value[component]), region.slots, share});
   }
   const std::vector<int>& all = regions.at("all").slots;
   comm.together([&] {
     for (const Expression& acceleration : c.body_force) check_finite(acceleration, all, particles, Place{"[body_force]"});
   });
-  if (!is_constant(c.body_force)) add_body_force(c.body_force, all, particles, loads);
-  return {std::move(loads), particles};
+  if (is_load(c)) add_body_force(c, all, particles, loads);
+  return {std::move(loads), std::move(followers), particles};
 }
 
 template <int D>

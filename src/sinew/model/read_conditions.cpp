@@ -29,7 +29,7 @@ std::array<std::optional<Expression>, 3> with_values(const std::array<Expression
 
 /// The one quantity that is prescribed.
 BoundaryCase chosen(const BoundaryKeys& keys, const std::string& owner, int dimension) {
-  BoundaryCase boundary{keys.region, {}, {}, keys.normal, keys.area, keys.place};
+  BoundaryCase boundary{keys.region, {}, {}, keys.normal, keys.area, keys.follower, keys.place};
   std::vector<std::string> given;
   const auto choose = [&](const std::string& key, BoundaryCase::Kind kind, auto&& value) {
     given.push_back(key);
@@ -59,8 +59,25 @@ void check_surface_keys(const BoundaryCase& boundary, const Node& entry, const s
     throw CaseError(entry.find("normal")->place, owner + ": \"normal\" belongs to pressure and wall only");
   if (boundary.area && !surface)
     throw CaseError(entry.find("area")->place, owner + ": \"area\" belongs to traction and pressure only");
+  if (boundary.follower && !pressure)
+    throw CaseError(entry.find("follower")->place, owner + ": \"follower\" belongs to pressure only");
   if (boundary.normal && norm(*boundary.normal) == 0.0)
     throw CaseError(entry.find("normal")->place, owner + ": normal must not be the zero vector");
+}
+
+/// Its normals are made from the neighbors of the beginning.
+void check_follower(const CaseReader& reader, const BoundaryCase& boundary, const Node& entry, const std::string& owner) {
+  if (!boundary.follower) return;
+  const Case& c = reader.result;
+  const auto refuse = [&](const std::string& text) {
+    throw CaseError(entry.find("follower")->place, owner + ": follower " + text);
+  };
+  if (c.formulation.model != "total_lagrangian") refuse("belongs to model = \"total_lagrangian\"");
+  if (c.formulation.reference_update) refuse("does not go with reference_update");
+  if (c.general.dimension == 2 && c.general.plane == PlaneState::stress) refuse("goes with plane = \"strain\"");
+  for (const BodyCase& body : c.bodies)
+    if (body.damage && std::visit([](const auto& damage) { return damage.growth.separate; }, *body.damage))
+      refuse("does not go with separate = true of body \"" + body.name + "\"");
 }
 
 void check_wall(const CaseReader& reader, const BoundaryKeys& keys, const Node& entry, const std::string& owner) {
@@ -86,6 +103,7 @@ void read_boundaries(CaseReader& reader) {
     resolved.items.push_back(read_with_region(reader, keys, entry, owner));
     BoundaryCase boundary = chosen(keys, owner, reader.reading.dimension);
     check_surface_keys(boundary, entry, owner);
+    check_follower(reader, boundary, entry, owner);
     check_wall(reader, keys, entry, owner);
     reader.result.boundary.push_back(std::move(boundary));
   }

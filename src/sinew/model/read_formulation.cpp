@@ -127,13 +127,14 @@ void check_stabilizations(const FormulationCase& f, const Node& table) {
             throw CaseError(table.find("stabilization")->place, "[formulation]: stabilization \"" + std::string(S::name) +
                                                                     "\" does not go with model = \"" + f.model + "\"");
           repulsions += std::is_same_v<S, ArtificialPressure> || std::is_same_v<S, ArtificialStress>;
-          stiffnesses += std::is_same_v<S, HourglassStiffness> || std::is_same_v<S, NonNestedShear>;
+          stiffnesses +=
+              std::is_same_v<S, HourglassStiffness> || std::is_same_v<S, HourglassEnergy> || std::is_same_v<S, NonNestedShear>;
         },
         any);
   if (stiffnesses > 1)
-    throw CaseError(
-        table.find("stabilization")->place,
-        "[formulation]: hourglass_stiffness and non_nested_shear are two forms of one stiffness; give only one of them");
+    throw CaseError(table.find("stabilization")->place,
+                    "[formulation]: hourglass_stiffness, hourglass_energy and non_nested_shear are forms of one stiffness; give "
+                    "only one of them");
   if (repulsions > 1)
     throw CaseError(
         table.find("stabilization")->place,

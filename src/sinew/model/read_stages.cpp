@@ -46,6 +46,11 @@ Node root_of(const Node& file, const Node& entry, const StageCase& stage) {
     }
   Node& solver = root.at_or_insert("solver", entry.place);
   set_member(solver, "end_time", Node::make_number(stage.end, entry.place));
+  if (const Node* mode = solver.find("mode"); mode && mode->is(Node::Kind::string) && mode->text == "static") {
+    if (const Node* ramp = solver.find("ramp"))
+      throw CaseError(ramp->place, "[solver]: ramp belongs to runs without [[stage]]; here, formulas with t say how loads grow");
+    set_member(solver, "ramp", Node::make_boolean(false, entry.place));
+  }
   erase_member(solver, "max_steps");
   return root;
 }

@@ -117,6 +117,8 @@ class Simulation {
   /// What so many ranks would have to do and to send, counted for a process alone.
   virtual RanksPlan plan(int ranks) const = 0;
   virtual std::map<std::string, double> pass_seconds() const = 0;  ///< wall time of the passes of all steps so far
+  /// Of steps that solve equations: newton_iterations, linear_iterations, cut_backs so far; matrix_entries. Empty for explicit ones.
+  virtual std::map<std::string, double> equation_counts() { return {}; }
 };
 
 }  // namespace sinew

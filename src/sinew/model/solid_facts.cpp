@@ -114,7 +114,7 @@ void SolidSimulation<D>::collect_facts(const std::vector<GeneratedBody>& bodies,
   facts_.neighbors_max = static_cast<int>(comm_.maximum(most));
   facts_.neighbors_mean = static_cast<double>(facts_.pairs) / static_cast<double>(facts_.particles);
   facts_.time_step = stable_time_step();
-  facts_.time_step_limit = step_size_.limit(summary_, contact_);
+  facts_.time_step_limit = implicit_ ? "as given" : step_size_.limit(summary_, contact_);
   facts_.memory_bytes = static_cast<std::size_t>(counts[6]);
   facts_.bytes_per_particle = static_cast<double>(facts_.memory_bytes) / static_cast<double>(facts_.particles);
   facts_.blocks = static_cast<int>(counts[4]);

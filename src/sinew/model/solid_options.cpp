@@ -13,14 +13,15 @@ WeightStorage weight_storage(const std::string& name) {
   return WeightStorage::automatic;
 }
 
-/// See NonNestedShear.
-void use_shear_as_hourglass(const NonNestedShear& shear, const Case& c, TotalLagrangianOptions& options) {
-  options.hourglass = HourglassStiffness{};
+/// `alpha_of(E, G)`: of the hourglass stiffness that a treatment is, for a material with these constants.
+template <class Alpha>
+void use_as_hourglass(const Case& c, const HourglassStiffness& form, TotalLagrangianOptions& options, const Alpha& alpha_of) {
+  options.hourglass = form;
   for (const BodyCase& body : c.bodies) {
-    const double share =
-        std::visit([](const auto& m) { return m.elastic.youngs_modulus > 0.0 ? m.elastic.mu() / m.elastic.youngs_modulus : 0.0; },
-                   body.material);
-    options.hourglass_factors.push_back(shear.alpha(c.general.dimension, share) / options.hourglass->alpha);
+    const double alpha = std::visit(
+        [&](const auto& m) { return m.elastic.youngs_modulus > 0.0 ? alpha_of(m.elastic.youngs_modulus, m.elastic.mu()) : 0.0; },
+        body.material);
+    options.hourglass_factors.push_back(alpha / form.alpha);
   }
 }
 
@@ -39,7 +40,11 @@ TotalLagrangianOptions total_lagrangian_options(const Case& c) {
     } else if (const auto* viscosity = std::get_if<ArtificialViscosity>(&s)) {
       options.viscosity = *viscosity;
     } else if (const auto* shear = std::get_if<NonNestedShear>(&s)) {
-      use_shear_as_hourglass(*shear, c, options);
+      use_as_hourglass(c, {}, options, [&](double E, double G) { return shear->alpha(c.general.dimension, G / E); });
+    } else if (const auto* energy = std::get_if<HourglassEnergy>(&s)) {
+      HourglassStiffness stiff;
+      stiff.plastic_switch = false;
+      use_as_hourglass(c, stiff, options, [&](double E, double G) { return energy->alpha(E, G); });
     }
   for (const BodyCase& body : c.bodies) {
     options.materials.push_back(body.material);

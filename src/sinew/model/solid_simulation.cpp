@@ -51,6 +51,7 @@ SolidSimulation<D>::SolidSimulation(const Case& c, const Comm& comm, const std::
       dissipation_rate_(particles_.blocks.size(), 0.0) {
   if (c.solver.integrator == RungeKutta3::name) stages_.emplace(particles_.slots);
   if (c.formulation.project_angular_momentum) projection_.emplace();
+  if (!c.solver.is_explicit()) make_implicit_solver();
   wants_hourglass_error_ = probes_.need_hourglass_error();
   set_initial_state(c, regions_, comm, particles_);
   start();
@@ -67,7 +68,7 @@ void SolidSimulation<D>::start() {
   check_initial_contacts(case_, contacts_, particles_, comm_);
   first_time_step_ = stable_time_step();
   check_initial_state();
-  comm_.together([&] { motion_.begin(particles_, first_time_step_, case_.solver.damping); });
+  if (!is_static()) comm_.together([&] { motion_.begin(particles_, first_time_step_, case_.solver.damping); });
   if (solid_->needs_first_rates()) find_first_rates();
   count_dissipation(0.0);
   initial_energy_ = energies().total() + energies().dissipated;
@@ -97,12 +98,15 @@ void SolidSimulation<D>::check_initial_state() const {
 
 template <int D>
 void SolidSimulation<D>::step(double most) {
-  const double dt = std::min(stable_time_step(), most);
+  double dt = std::min(stable_time_step(), most);
   timer_.begin();
   motion_.remember(particles_);
   loads_.remember(particles_);
   timer_.mark("boundary");
-  if (stages_) {
+  if (implicit_) {
+    dt = solve_step(most);
+    timer_.mark("equations");
+  } else if (stages_) {
     advance_in_stages(dt);
   } else {
     kick_and_drift(particles_, dt, case_.solver.damping);
@@ -129,6 +133,7 @@ void SolidSimulation<D>::advance_in_stages(double dt) {
     guard([&] { motion_.impose(particles_, when, dt); });
     timer_.mark("boundary");
     if (&stage == &RungeKutta3::stage[RungeKutta3::stages - 1]) return;
+    if (loads_.follow()) solid_->update_copies(particles_.displacement);
     guard([&] { loads_.add(particles_, when, forces_); });
     timer_.mark("boundary");
     internal_forces({stage.when * dt, HistoryUse::respond}, {particles_, forces_, gravity_, 0.0, 0.0}, nullptr);
@@ -150,18 +155,24 @@ ForceSummary SolidSimulation<D>::internal_forces(PointStep step, const Accelerat
 
 template <int D>
 void SolidSimulation<D>::update_forces(double dt) {
+  if (loads_.follow()) solid_->update_copies(particles_.displacement);
   guard([&] { loads_.add(particles_, time_, dt, forces_); });
   timer_.mark("boundary");
   guard([&] { contacts_.push(particles_, time_, dt, forces_); });
   timer_.mark("contact");
   RecordedState* const recorded = std::exchange(record_expected_, false) ? &room_for_record() : nullptr;
-  const AccelerateAndKick<D> kick{particles_, forces_, gravity_, stages_ ? 0.0 : dt, stages_ ? 0.0 : case_.solver.damping};
+  const bool kicks = !stages_ && !implicit_;
+  const AccelerateAndKick<D> kick{particles_, forces_, gravity_, kicks ? dt : 0.0, kicks ? case_.solver.damping : 0.0};
   summary_ = internal_forces({dt, HistoryUse::advance}, kick, recorded);
   if (recorded) recorded_step_ = steps_;
   timer_.mark("forces and kick");
   if (solid_->rearrange(particles_)) mind_arrangement();
   timer_.mark("rearrangement");
-  guard([&] { motion_.hold(particles_, time_, dt, case_.solver.damping); });
+  if (implicit_ && !is_static()) implicit_->put_accelerations();
+  if (is_static())
+    motion_.hold_still(particles_, dt > 0.0);
+  else
+    guard([&] { motion_.hold(particles_, time_, dt, case_.solver.damping); });
   if (time_ > 0.0) count_dissipation(dt);
   timer_.mark("boundary");
   share_limits();

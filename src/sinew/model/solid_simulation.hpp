@@ -1,11 +1,12 @@
 #pragma once
-/// A total-Lagrangian explicit run in D dimensions.
+/// The run of a case in D dimensions: explicit, implicit or static.
 
 #include <exception>
 #include <limits>
 #include <optional>
 #include <sinew/core/timer.hpp>
 #include <sinew/formulations/angular_projection.hpp>
+#include <sinew/implicit/implicit_solver.hpp>
 #include <sinew/model/conditions.hpp>
 #include <sinew/model/contacts.hpp>
 #include <sinew/model/probes.hpp>
@@ -34,7 +35,7 @@ class SolidSimulation final : public Simulation {
   double time() const override { return time_; }
   double end_time() const override { return case_.solver.end_time; }
   long steps() const override { return steps_; }
-  double stable_time_step() const override { return step_size_(summary_, contact_); }
+  double stable_time_step() const override { return implicit_ ? next_step_ : step_size_(summary_, contact_); }
   void step(double most) override;
   void expect_record() override { record_expected_ = true; }
 
@@ -53,6 +54,7 @@ class SolidSimulation final : public Simulation {
   void take_over(SavedState state, const Handover& handover) override;
   RanksPlan plan(int ranks) const override { return plan_for(solid_->pairs(), ranks); }
   std::map<std::string, double> pass_seconds() const override;
+  std::map<std::string, double> equation_counts() override;
 
  private:
   SolidSimulation(const Case& c, const Comm& comm, const std::vector<GeneratedBody>& bodies, const Stopwatch& watch);
@@ -62,6 +64,13 @@ class SolidSimulation final : public Simulation {
   void find_first_rates();
   void check_initial_state() const;
   void advance_in_stages(double dt);
+  void make_implicit_solver();
+  double solve_step(double most);
+  void adapt_step(double dt, const NewtonResult& result);
+  [[noreturn]] void fail_to_solve(double dt, const NewtonResult& result);
+  void save_implicit(SavedState& state) const;
+  void restore_implicit(const SavedState& state);
+  bool is_static() const { return implicit_ && implicit_->is_static(); }
   void update_forces(double dt);
   ForceSummary internal_forces(PointStep step, const AccelerateAndKick<D>& kick, RecordedState* recorded);
   void mind_arrangement();
@@ -107,8 +116,11 @@ class SolidSimulation final : public Simulation {
   StepSize step_size_;
   std::optional<RungeKuttaStep<D>> stages_;  ///< nothing: velocity Verlet
   std::optional<AngularProjection<D>> projection_;
+  std::optional<ImplicitSolver<D>> implicit_;            ///< nothing: explicit
+  double next_step_ = 0.0, largest_displacement_ = 0.0;  ///< next: to be tried
+  ImplicitCounts counts_;
   UserOrder order_;
-  PassTimer timer_{"drift", "boundary", "contact", "forces and kick", "rearrangement", "time step"};
+  PassTimer timer_{"drift", "boundary", "contact", "forces and kick", "rearrangement", "time step", "equations"};
 
   double time_ = 0.0;
   long steps_ = 0;

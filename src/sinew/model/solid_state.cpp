@@ -149,6 +149,7 @@ SavedState SolidSimulation<D>::save() {
                     {"damage_work", stored_energy().damage_work},
                     {"smallest_jacobian", summary_.smallest_jacobian},
                     {"largest_rate2", summary_.largest_rate2}});
+  if (implicit_) save_implicit(s);
   return s;
 }
 
@@ -188,6 +189,7 @@ void SolidSimulation<D>::restore(const SavedState& s) {
   }
   motion_.restore([&](int condition, int slot) { return value_of(reactions, condition, particles_.user_index[slot]); },
                   std::move(motion_work));
+  if (loads_.follow()) solid_->update_copies(particles_.displacement);
   loads_.restore(particles_, time_, std::move(load_work));
   if (contacts_.any()) {
     restore_contacts(s);
@@ -200,6 +202,7 @@ void SolidSimulation<D>::restore(const SavedState& s) {
   summary_.largest_rate2 = s.numbers.at("largest_rate2");
   stored_ = {s.numbers.at("strain_energy"), s.numbers.at("hourglass_energy"), s.numbers.at("plastic_work"),
              s.numbers.at("damage_work")};
+  if (implicit_) restore_implicit(s);
   recorded_step_ = totals_step_ = -1;
   stored_step_ = steps_;
 }

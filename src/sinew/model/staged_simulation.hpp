@@ -35,6 +35,7 @@ class StagedSimulation final : public Simulation {
   void take_over(SavedState state, const Handover& handover) override { now_->take_over(std::move(state), handover); }
   RanksPlan plan(int ranks) const override { return now_->plan(ranks); }
   std::map<std::string, double> pass_seconds() const override;
+  std::map<std::string, double> equation_counts() override { return now_->equation_counts(); }
 
  private:
   const StageCase& current() const { return stages_[number_]; }

@@ -109,8 +109,9 @@ TEST(HourglassStiffness, Normalizations) {
   EXPECT_EQ(stiffness.coefficient(), 12.5);
   stiffness.normalization.value = "printed";
   EXPECT_EQ(stiffness.coefficient(), 25.0);
-  EXPECT_EQ(Stabilizations::names(), (std::vector<std::string>{"hourglass_stiffness", "artificial_viscosity", "jst",
-                                                               "artificial_pressure", "artificial_stress", "non_nested_shear"}));
+  EXPECT_EQ(Stabilizations::names(),
+            (std::vector<std::string>{"hourglass_stiffness", "hourglass_energy", "artificial_viscosity", "jst",
+                                      "artificial_pressure", "artificial_stress", "non_nested_shear"}));
 }
 
 TEST(HourglassStiffness, PackGivesTheValuesOfItsLanes) {

@@ -112,6 +112,29 @@ void PrescribedMotion<D>::hold(Particles<D>& particles, double t, double dt, dou
 }
 
 template <int D>
+void PrescribedMotion<D>::hold_still(Particles<D>& particles, bool counts) {
+  for (Held& held : conditions_) {
+    const int component = held.condition.component;
+    for (Entry& entry : held.entries) {
+      double& a = particles.acceleration.at(component, entry.slot);
+      const double reaction = -particles.mass[entry.slot] * a;
+      if (counts)
+        work_[entry.block] +=
+            0.5 * (entry.reaction + reaction) * (particles.displacement.at(component, entry.slot) - entry.previous_u);
+      entry.reaction = reaction;
+      particles.velocity.at(component, entry.slot) = 0.0;
+      a = 0.0;
+    }
+  }
+}
+
+template <int D>
+void PrescribedMotion<D>::for_each(FunctionRef<void(int, int)> use) const {
+  for (const Held& held : conditions_)
+    for (const Entry& entry : held.entries) use(entry.slot, held.condition.component);
+}
+
+template <int D>
 std::vector<Vec<double, D>> PrescribedMotion<D>::reactions_on(const std::vector<int>& slots) const {
   std::vector<Vec<double, D>> sums(work_.size());
   for (const Held& held : conditions_) {

@@ -35,6 +35,11 @@ class PrescribedMotion {
   /// R = m (a_prescribed + damping v) - (internal + hourglass + external force). `dt`: length of the step, 0 at the start; `damping`: rate [1/time].
   void hold(Particles<D>& particles, double t, double dt, double damping);
 
+  /// The same in static balance, where the force that is missing is mass times acceleration: nothing moves. `counts`: the work since `remember`.
+  void hold_still(Particles<D>& particles, bool counts);
+  /// Calls use(slot, component) for all components that are given.
+  void for_each(FunctionRef<void(int, int)> use) const;
+
   /// Sum of the reactions on some particles, given by ascending slots, for each block [force].
   std::vector<Vec<double, D>> reactions_on(const std::vector<int>& slots) const;
   /// Done by the reactions on the particles of each block so far [energy].
