@@ -107,6 +107,40 @@ class Runs(RanksTest):
         self.assertEqual((self.folder / "two/study.csv").read_text(), (self.folder / "one/study.csv").read_text())
 
 
+    def test_solved_equations_agree_to_the_tolerance(self):
+        """Not to the last bit: solvers of equations add in another order on other ranks."""
+        self.case = self.write("static.toml", """[case]
+dimension = 3
+[[body]]
+name = "block"
+geometry = { shape = "box", low = [0, 0, 0], high = [1, 1, 1], spacing = 0.125 }
+material = { model = "neo_hookean", density = 1, youngs_modulus = 10, poissons_ratio = 0.3 }
+[[boundary]]
+region = { where = "Z < 0.125" }
+displacement = [0, 0, 0]
+[[boundary]]
+region = { where = "Z > 0.875" }
+pressure = -2
+normal = [0, 0, 1]
+follower = true
+[solver]
+mode = "static"
+time_step = 0.5
+[[probe]]
+name = "top"
+quantity = "displacement"
+component = "z"
+reduce = "max"
+""")
+        for solver in ("direct", "assembled", "matrix_free"):
+            found = []
+            for ranks in (1, 3):
+                self.run_on(ranks, "out", "--force", "--set", "solver.block_size=64", "--set", f'solver.linear_solver="{solver}"')
+                found.append(self.summary("out")["probes"]["top"]["final"])
+            self.assertGreater(found[0], 0.05)
+            self.assertLess(abs(found[1] / found[0] - 1.0), 1e-6, solver)
+
+
 class Errors(RanksTest):
     def test_a_wrong_case_is_told_once(self):
         self.write("strip.toml", CASE.replace("support = 2.4", "suport = 2.4"))

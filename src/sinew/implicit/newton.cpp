@@ -100,9 +100,9 @@ struct Newton::Petsc {
     check(SNESSetType(snes, SNESNEWTONLS));
     check(SNESSetFunction(snes, r, evaluate, this));
     check(SNESSetJacobian(snes, jacobian(), matrix, differentiate, this));
-    const auto test = [](SNES, PetscInt step, PetscReal size, PetscReal change, PetscReal norm, SNESConvergedReason* reason,
+    const auto test = [](SNES, PetscInt, PetscReal, PetscReal, PetscReal norm, SNESConvergedReason* reason,
                          void* self) -> PetscErrorCode {
-      *reason = static_cast<Petsc*>(self)->judge(step == 0, change / std::max(size, 1e-300), norm);
+      *reason = static_cast<Petsc*>(self)->judge(norm);
       return 0;
     };
     check(SNESSetConvergenceTest(snes, test, this, nullptr));
@@ -214,13 +214,14 @@ struct Newton::Petsc {
     check(MatAssemblyEnd(shell, MAT_FINAL_ASSEMBLY));
   }
 
-  /// Converged once |R| is small enough, or as small as rounding lets it become.
-  SNESConvergedReason judge(bool first, double relative_change, double norm) {
-    const double scale = system.scale();
-    residuals.push_back(scale > 0.0 ? norm / scale : norm);
+  /// Converged once |R| is small enough, or as small as rounding lets it become: where strains are small, F = I + gradient leaves few digits of them, and then an iteration that should
+  /// gain digits gains none.
+  SNESConvergedReason judge(double norm) {
+    const double scale = system.scale(), now = scale > 0.0 ? norm / scale : norm;
+    const bool still = !residuals.empty() && now > 0.5 * residuals.back();
+    residuals.push_back(now);
     if (!std::isfinite(norm)) return SNES_DIVERGED_FNORM_NAN;
     if (norm <= options.tolerance * scale || norm == 0.0) return SNES_CONVERGED_FNORM_ABS;
-    const bool still = !first && relative_change <= 1e-13;
     return still && norm <= 1e3 * options.tolerance * scale ? SNES_CONVERGED_SNORM_RELATIVE : SNES_CONVERGED_ITERATING;
   }
 

@@ -20,7 +20,7 @@ constexpr double shortest = 1e-4;
 constexpr double sliver = 1e-6;
 
 /// Particles up to which a matrix is factored: its factors then fit in a few GB.
-constexpr long most_direct(int dimension) { return dimension == 2 ? 60000 : 1500; }
+constexpr long most_direct(int dimension) { return dimension == 2 ? 60000 : 1000; }
 
 /// The derivative of the forces is, where they have a potential or flow is associated, no pressure follows the surface, and the hourglass stiffness is of gradients that minimize its energy.
 bool is_symmetric(const Case& c) {

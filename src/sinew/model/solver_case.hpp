@@ -94,7 +94,7 @@ struct SolverCase {
           "matrix_free: with two "
           "sums over the "
           "particles in the place of its products, and a matrix of few entries for the multigrid; auto: direct up to 60 000 "
-          "(2D) or 1 500 particles, matrix_free beyond.",
+          "(2D) or 1 000 particles, matrix_free beyond.",
           optional, OneOf{{"auto", "direct", "assembled", "matrix_free"}});
     field("petsc", m.petsc, no_unit, "implicit, static: options for PETSc, such as \"-snes_monitor -ksp_rtol 1e-8\".", optional);
     constexpr Range third{0.0, 1.0 / 3.0, false, false, "from 0 to 1/3"};
