@@ -53,7 +53,7 @@ std::string ImplicitSolver<D>::predict(std::span<const double> given, std::vecto
   system_.product_of_given(jump, coupled);
   for (std::size_t k = 0; k < r.size(); ++k) r[k] = -r[k] - coupled[k];
   for (const int unknown : system_.given()) r[unknown] = system_.given_diagonal() * jump[unknown];
-  const std::string error = newton().solve_linear(r, du);
+  std::string error = newton().solve_linear(r, du);
   for (std::size_t k = 0; k < u.size(); ++k) u[k] += du[k];
   for (const int unknown : system_.given()) u[unknown] = given[unknown];
   return error;
