@@ -117,6 +117,27 @@ TEST(Implicit, ARestartLeavesNoTrace) {
   }
 }
 
+/// Preload and release: an explicit stage goes on from a static one. Under the same load nothing moves; without it the beam swings with the energy that the load has put in.
+TEST(Implicit, AnExplicitStageGoesOnFromBalance) {
+  const auto run = [](const std::string& load) {
+    std::string text = beam("neo_hookean", "", 0.0);
+    text +=
+        "[[stage]]\nname = \"load\"\nduration = 1\nsolver = { mode = \"static\", time_step = 0.25, tolerance = 1e-11 }\n"
+        "boundary = [{ region = \"left\", displacement = [0, 0] }, { region = \"tip\", force = [0, \"-0.3*t\"] }]\n"
+        "[[stage]]\nname = \"after\"\nduration = 3\nsolver = { mode = \"explicit\" }\n"
+        "boundary = [{ region = \"left\", displacement = [0, 0] }, { region = \"tip\", force = [0, " +
+        load + "] }]\n";
+    auto simulation = simulation_of(text);
+    run_until(*simulation, 4.0);
+    return simulation;
+  };
+  const Energies still = run("-0.3")->energies(), swings = run("0")->energies();
+  EXPECT_GT(still.strain, 0.01);
+  EXPECT_LT(still.kinetic, 1e-12 * still.strain);
+  EXPECT_GT(swings.kinetic, 0.01 * still.strain);
+  EXPECT_NEAR(swings.total(), still.total(), 1e-4 * still.total());
+}
+
 /// A cloud with a pressure on the particles of its right face.
 template <int D>
 struct Pressed {

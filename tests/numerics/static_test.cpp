@@ -174,6 +174,22 @@ TEST(Static, KeepsTheLastBalanceWhereThereIsNoMore) {
   EXPECT_TRUE(std::isfinite(simulation->energies().total()));
 }
 
+TEST(Static, SaysWhichBodyIsNotHeld) {
+  std::string text = bar_with("[solver]\nmode = \"static\"\n");
+  text.replace(text.find("displacement = [0, \"free\"]"), 26, "force = [0, 0]            ");
+  text.replace(text.find("displacement = [\"free\", 0]"), 26, "displacement = [0, 0]     ");
+  std::string message;
+  try {
+    simulation_of(text);
+  } catch (const CaseError& error) {
+    message = error.what();
+  }
+  EXPECT_EQ(
+      message,
+      "body \"bar\" is not held: 2 of the components of its displacements are given, and it takes at least 3 to keep it from "
+      "moving and turning. Give a [[boundary]] with displacement.");
+}
+
 /// The cantilever of an explicit run with damping comes to rest where the static one is.
 TEST(Static, IsWhereADampedMotionComesToRest) {
   const auto beam = [](const std::string& solver) {

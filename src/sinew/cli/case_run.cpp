@@ -38,7 +38,9 @@ CaseRun::CaseRun(const Case& case_, Simulation& simulation_, const RunFolder& fo
       recorder(case_, simulation_, folder_, control_.comm),
       case_text(toml_text(case_.resolved)),
       frames_need_record(std::any_of(case_.output.fields.begin(), case_.output.fields.end(),
-                                     [](const std::string& field) { return needs_record(field); })) {}
+                                     [](const std::string& field) { return needs_record(field); })) {
+  simulation.stop_when([&comm = control.comm] { return comm.any(interruption_requested()); });
+}
 
 void CaseRun::begin() {
   control.comm.on_root([&] { write_atomically(folder.resolved_case(), case_text); });
@@ -93,7 +95,7 @@ void CaseRun::march() {
     }
     const double before = simulation.time();
     const std::string stage = simulation.stage();
-    step();
+    if (!step()) continue;
     if (status != "completed") break;
     if (simulation.stage() != stage) say_stage();
     write_due(before);
@@ -114,13 +116,17 @@ bool CaseRun::record_follows(double now, double next) const {
          (simulation.probes_need_record() && recorder.is_due(now, next, simulation.steps() + 1));
 }
 
-void CaseRun::step() {
+/// Returns whether it was taken; not, if it was stopped on its way.
+bool CaseRun::step() {
   const Clock::time_point start = Clock::now();
   try {
     const double now = simulation.time(), most = simulation.end_time() - now;
     const double next = now + std::min(simulation.stable_time_step(), most);
     if (record_follows(now, next)) simulation.expect_record();
     simulation.step(most);
+  } catch (const StepStopped&) {
+    stepping_seconds += Seconds(Clock::now() - start).count();
+    return false;
   } catch (const NoBalance& error) {
     status = "no balance";
     message = error.what();
@@ -129,6 +135,7 @@ void CaseRun::step() {
     message = error.what();
   }
   stepping_seconds += Seconds(Clock::now() - start).count();
+  return true;
 }
 
 void CaseRun::write_due(double time_before) {

@@ -50,7 +50,7 @@ class CaseRun {
   using Clock = std::chrono::steady_clock;
 
   void march();
-  void step();
+  bool step();
   void say_stage();
   bool record_follows(double now, double next) const;
   void write_due(double time_before);

@@ -22,6 +22,12 @@ Newton& ImplicitSolver<D>::newton() {
 }
 
 template <int D>
+void ImplicitSolver<D>::stop_when(std::function<bool()> stop) {
+  options_.newton.stop = std::move(stop);
+  if (newton_) newton_->stop_when(options_.newton.stop);
+}
+
+template <int D>
 NewtonResult ImplicitSolver<D>::solve(double time, double dt) {
   const std::vector<double> before = system_.displacements(), velocities = system_.values_of(particles_.velocity);
   if (!is_static()) prepare_inertia(time, dt, before);

@@ -35,6 +35,8 @@ class ImplicitSolver {
   double step_error() const { return step_error_; }
 
   bool is_static() const { return !options_.motion; }
+  /// See NewtonOptions::stop.
+  void stop_when(std::function<bool()> stop);
   /// Largest forces so far, with which missing ones are compared in motion; for restarts.
   double force_scale() const { return system_.most_scale(); }
   void restore_force_scale(double value) { system_.restore_most_scale(value); }

@@ -49,6 +49,7 @@ struct Newton::Petsc {
   Sparsity sparsity;
   std::exception_ptr error;  ///< thrown in a call from PETSc, which is C
   std::vector<double> residuals;
+  bool stopped = false;
   double entries = 0.0;
 
   Petsc(const Comm& c, NonlinearSystem& s, const NewtonOptions& o)
@@ -222,6 +223,8 @@ struct Newton::Petsc {
     residuals.push_back(now);
     if (!std::isfinite(norm)) return SNES_DIVERGED_FNORM_NAN;
     if (norm <= options.tolerance * scale || norm == 0.0) return SNES_CONVERGED_FNORM_ABS;
+    stopped = options.stop && options.stop();
+    if (stopped) return SNES_DIVERGED_FUNCTION_COUNT;
     return still && norm <= 1e3 * options.tolerance * scale ? SNES_CONVERGED_SNORM_RELATIVE : SNES_CONVERGED_ITERATING;
   }
 
@@ -245,6 +248,7 @@ Newton::~Newton() = default;
 NewtonResult Newton::solve(std::span<double> u) {
   Petsc& p = *petsc_;
   p.residuals.clear();
+  p.stopped = false;
   p.take(u, p.u);
   p.rethrow(SNESSolve(p.snes, nullptr, p.u));
   NewtonResult result;
@@ -254,7 +258,7 @@ NewtonResult Newton::solve(std::span<double> u) {
   check(SNESGetLinearSolveIterations(p.snes, &linear));
   p.give(p.u, u);
   if (reason > 0) p.find_residual(p.u, p.r);
-  return {reason > 0, p.residuals, linear, reason > 0 ? "" : text_of(reason)};
+  return {reason > 0, p.stopped, p.residuals, linear, reason > 0 ? "" : text_of(reason)};
 }
 
 std::string Newton::solve_linear(std::span<const double> b, std::span<double> x) {
@@ -270,6 +274,8 @@ std::string Newton::solve_linear(std::span<const double> b, std::span<double> x)
   p.give(p.u, x);
   return reason > 0 ? "" : KSPConvergedReasons[reason];
 }
+
+void Newton::stop_when(std::function<bool()> stop) { petsc_->options.stop = std::move(stop); }
 
 double Newton::matrix_entries() const { return static_cast<double>(petsc_->comm.sum(static_cast<long>(petsc_->entries))); }
 

@@ -1,6 +1,7 @@
 #pragma once
 /// Newton's method with line search for a NonlinearSystem, by PETSc's SNES and KSP. Its options may be changed from outside by PETSc's own names.
 
+#include <functional>
 #include <memory>
 #include <sinew/implicit/nonlinear_system.hpp>
 #include <string>
@@ -16,11 +17,12 @@ struct NewtonOptions {
   LinearSolver linear = LinearSolver::direct;
   bool matrix_free = false;  ///< iterative: products by the system, and a matrix with few entries a row for the preconditioner
   bool symmetric = true;
-  std::string petsc;  ///< more options, "-ksp_monitor -ksp_rtol 1e-8"
+  std::string petsc;             ///< more options, "-ksp_monitor -ksp_rtol 1e-8"
+  std::function<bool()> stop{};  ///< asked after each iteration, by all ranks: whether to give up
 };
 
 struct NewtonResult {
-  bool converged = false;
+  bool converged = false, stopped = false;
   std::vector<double> residuals;  ///< |R| over its scale, of the start and after each iteration
   long linear_iterations = 0;
   std::string reason;  ///< why not
@@ -36,6 +38,7 @@ class Newton {
   /// K x = b at the u of the last residual. Returns an error, or nothing.
   std::string solve_linear(std::span<const double> b, std::span<double> x);
 
+  void stop_when(std::function<bool()> stop);
   /// Entries of the matrix, of all ranks.
   double matrix_entries() const;
   /// Version of PETSc.

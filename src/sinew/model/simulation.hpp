@@ -1,6 +1,7 @@
 #pragma once
 /// A case, built and able to run. The dimension is chosen here; nothing above knows it at compile time.
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <sinew/model/case.hpp>
@@ -76,6 +77,9 @@ struct Handover {
   bool settled = false;        ///< only stresses go on, with the particles at rest where they first were
 };
 
+/// Thrown by a step that was asked to stop; the state is that before it. On all ranks.
+struct StepStopped {};
+
 /// Where ranks share a case, every call that is not const is collective, and so is state_hash(). All ranks get the same answers, but for what has a value for each
 /// particle.
 class Simulation {
@@ -90,6 +94,8 @@ class Simulation {
   virtual std::string stage() const { return ""; }  ///< name of the present one; empty if there are none
   virtual long steps() const = 0;
   virtual double stable_time_step() const = 0;  ///< for the next step
+  /// Steps that solve equations ask this, on all ranks, now and then, and throw StepStopped if it is so. Others are short.
+  virtual void stop_when(std::function<bool()> /*stop*/) {}
   /// One step of min(stable_time_step(), most). Throws SimulationError when the state is no longer usable: time, particle, cause.
   virtual void step(double most) = 0;
   /// F and stresses of the state after the next step will be asked for: that step keeps them, so that it takes no sweep of its own.

@@ -50,11 +50,28 @@ NewtonOptions newton_options(const Case& c, long particles) {
   return options;
 }
 
+/// A body that can move as a whole has no one balance.
+template <int D>
+void check_that_bodies_are_held(const Particles<D>& particles, const PrescribedMotion<D>& motion, const Comm& comm) {
+  constexpr long rigid_modes = D * (D + 1) / 2;
+  std::vector<long> given(particles.bodies.size(), 0);
+  motion.for_each([&](int slot, int) { ++given[particles.body_of(slot)]; });
+  comm.sum(given);
+  for (std::size_t b = 0; b < given.size(); ++b)
+    if (given[b] < rigid_modes)
+      throw CaseError(
+          fmt::format("body \"{}\" is not held: {} of the components of its displacements are given, and it takes at least {} to "
+                      "keep it from "
+                      "moving and turning. Give a [[boundary]] with displacement.",
+                      particles.bodies[b].name, given[b], rigid_modes));
+}
+
 }  // namespace
 
 template <int D>
 void SolidSimulation<D>::make_implicit_solver() {
   const SolverCase& solver = case_.solver;
+  if (solver.is_static()) check_that_bodies_are_held(particles_, motion_, comm_);
   double modulus = 0.0;
   for (const BodyCase& body : case_.bodies) modulus = std::max(modulus, youngs_modulus_of(body.material));
   ImplicitOptions options{newton_options(case_, comm_.sum(long{particles_.count})), {}, solver.damping, 1.0};
@@ -76,6 +93,7 @@ double SolidSimulation<D>::solve_step(double most) {
       adapt_step(dt, result);
       return dt;
     }
+    if (result.stopped) throw StepStopped();
     ++counts_.cut_backs;
     next_step_ = 0.5 * dt;
     if (next_step_ < shortest * *case_.solver.time_step) fail_to_solve(dt, result);

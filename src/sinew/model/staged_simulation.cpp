@@ -14,6 +14,7 @@ void StagedSimulation::build() {
   Case c;
   comm_.together([&] { c = make_case(current().root, folder_); });
   now_ = Simulation::build(c, comm_);
+  now_->stop_when(stop_);
 }
 
 /// At the latest, as far as it is known.

@@ -16,6 +16,10 @@ class StagedSimulation final : public Simulation {
   long steps() const override { return now_->steps(); }
   double stable_time_step() const override { return now_->stable_time_step(); }
   void step(double most) override;
+  void stop_when(std::function<bool()> stop) override {
+    stop_ = std::move(stop);
+    now_->stop_when(stop_);
+  }
   void expect_record() override { now_->expect_record(); }
 
   Energies energies() override { return now_->energies(); }
@@ -51,6 +55,7 @@ class StagedSimulation final : public Simulation {
   std::size_t number_ = 0;  ///< of the stage
   double begin_ = 0.0;      ///< when it began
   bool over_ = false;       ///< whether the last one has ended
+  std::function<bool()> stop_;
   std::unique_ptr<Simulation> now_;
   std::map<std::string, double> earlier_seconds_;
 };
