@@ -95,7 +95,7 @@ class Simulation {
   virtual long steps() const = 0;
   virtual double stable_time_step() const = 0;  ///< for the next step
   /// Steps that solve equations ask this, on all ranks, now and then, and throw StepStopped if it is so. Others are short.
-  virtual void stop_when(std::function<bool()> /*stop*/) {}
+  virtual void stop_when(const std::function<bool()>& /*stop*/) {}
   /// One step of min(stable_time_step(), most). Throws SimulationError when the state is no longer usable: time, particle, cause.
   virtual void step(double most) = 0;
   /// F and stresses of the state after the next step will be asked for: that step keeps them, so that it takes no sweep of its own.

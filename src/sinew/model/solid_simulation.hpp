@@ -37,8 +37,8 @@ class SolidSimulation final : public Simulation {
   long steps() const override { return steps_; }
   double stable_time_step() const override { return implicit_ ? next_step_ : step_size_(summary_, contact_); }
   void step(double most) override;
-  void stop_when(std::function<bool()> stop) override {
-    if (implicit_) implicit_->stop_when(std::move(stop));
+  void stop_when(const std::function<bool()>& stop) override {
+    if (implicit_) implicit_->stop_when(stop);
   }
   void expect_record() override { record_expected_ = true; }
 

@@ -16,8 +16,8 @@ class StagedSimulation final : public Simulation {
   long steps() const override { return now_->steps(); }
   double stable_time_step() const override { return now_->stable_time_step(); }
   void step(double most) override;
-  void stop_when(std::function<bool()> stop) override {
-    stop_ = std::move(stop);
+  void stop_when(const std::function<bool()>& stop) override {
+    stop_ = stop;
     now_->stop_when(stop_);
   }
   void expect_record() override { now_->expect_record(); }
