@@ -32,7 +32,7 @@ class NonlinearSystem {
   virtual void for_each_matrix(bool exact, Use use) = 0;
   /// The groups alone.
   virtual void for_each_group(bool exact, FunctionRef<void(std::span<const int> nodes)> use) const = 0;
-  /// What stands on the diagonal of unknowns that are given, of this rank: {number among its unknowns}.
+  /// Unknowns of this rank whose values are given, by their numbers among its own. Their rows and columns have nothing but this on the diagonal.
   virtual const std::vector<int>& given() const = 0;
   virtual double given_diagonal() const = 0;
 };
